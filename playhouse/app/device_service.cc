@@ -99,7 +99,7 @@ Result<void> DeviceService::open_page(std::uint16_t player_port) {
       [this](std::uint16_t port, std::unique_ptr<net::WebSocket> socket) {
         server::accept_websocket(devices_.server(), port, std::move(socket));
       },
-      [this] { return status_text(); });
+      [this](const server::Guest& guest) { return status_text(guest); });
   const Result<std::uint16_t> port = page_->listen();
   if (!port) {
     const std::string text = port.error().text + "; --web takes another port";
@@ -152,9 +152,9 @@ std::vector<std::string> DeviceService::places() const {
   return lines;
 }
 
-/// {"ports":[6665],"clients":[{"peer":"127.0.0.1:4242","port":6665,"devices":["laser:0"]}]}, with --udp "udp" with
+/// {"ports":[6665],"clients":[{"peer":"127.0.0.1:4242","port":6665,"devices":["laser:0"]}],"drives":true}, with --udp "udp" with
 /// server::DatagramCounts, with --multicast "multicast" with server::GroupCounts, and with a recording "recording":{"file":"lab.mcap","messages":7,"bytes":900,"dropped":0}.
-std::string DeviceService::status_text() const {
+std::string DeviceService::status_text(const server::Guest& guest) const {
   boost::json::array clients;
   for (const server::ClientStatus& client : devices_.server().clients()) {
     boost::json::array devices;
@@ -165,7 +165,9 @@ std::string DeviceService::status_text() const {
   }
   boost::json::array ports;
   for (const std::uint16_t port : devices_.ports()) ports.push_back(port);
-  boost::json::object status{{"ports", std::move(ports)}, {"clients", std::move(clients)}};
+  boost::json::object status{{"ports", std::move(ports)},
+                             {"clients", std::move(clients)},
+                             {"drives", server::rights_of(guest.role).drives}};
   if (serving_.udp) {
     const server::DatagramCounts udp = devices_.server().status().datagrams;
     status["udp"] =

@@ -64,7 +64,7 @@ class DeviceService {
   void end(int code) { devices_.end(code); }
 
  private:
-  std::string status_text() const;
+  std::string status_text(const server::Guest& guest) const;
   /// Opens devices that have come since, and those that could not be opened before.
   void open_recorded();
   void end_recording();

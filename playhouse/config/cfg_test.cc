@@ -253,6 +253,19 @@ TEST(DeviceAddress, every_form_of_the_format_is_read) {
   EXPECT_EQ(parse(":host:6665:dio:007"), (DeviceAddress{"", "host", 6665, "dio", 7}));
 }
 
+TEST(DeviceAddress, hosts_of_ipv6_are_in_brackets) {
+  const auto parse = [](std::string_view text) { return parse_device_address(text).value(); };
+  EXPECT_EQ(parse("[::1]:17100:laser:0"), (DeviceAddress{"", "::1", 17100, "laser", 0}));
+  EXPECT_EQ(parse("[fe80::1%eth0]::laser:2"), (DeviceAddress{"", "fe80::1%eth0", {}, "laser", 2}));
+  EXPECT_EQ(parse("scans:[2001:db8::7]:6665:laser:0"),
+            (DeviceAddress{"scans", "2001:db8::7", 6665, "laser", 0}));
+  EXPECT_EQ(parse("scans:[2001:db8::7]:6665:laser:0").text(), "scans:[2001:db8::7]:6665:laser:0");
+  for (const char* text : {"::1:17100:laser:0", "[::1:17100:laser:0", "::1]:17100:laser:0", "[lab]:1:laser:0",
+                           "[]:1:laser:0", "key[::1]:1:laser:0", "a:b:[::1]:1:laser:0"}) {
+    EXPECT_FALSE(parse_device_address(text).ok()) << text;
+  }
+}
+
 TEST(DeviceAddress, what_is_no_address_is_refused) {
   for (const char* text : {"", ":", "laser", "laser:", ":0", "laser:65536", "laser:-1", "x:laser:0",
                            "65536:laser:0", "a:b:c:1:laser:0", "laser:0:"}) {
@@ -264,6 +277,7 @@ RC_GTEST_PROP(DeviceAddress, its_text_reads_back_as_the_same_address, ()) {
   const auto word = rc::gen::container<std::string>(rc::gen::inRange('a', 'z'));
   DeviceAddress address{*word, *word, {}, *rc::gen::nonEmpty(word), *rc::gen::arbitrary<std::uint16_t>()};
   if (*rc::gen::arbitrary<bool>()) address.port = *rc::gen::arbitrary<std::uint16_t>();
+  if (*rc::gen::arbitrary<bool>()) address.host = "fe80::" + std::to_string(*rc::gen::inRange(1, 9999));
   const Result<DeviceAddress> again = parse_device_address(address.text());
   RC_ASSERT(again.ok());
   RC_ASSERT(*again == address);

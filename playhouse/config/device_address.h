@@ -10,10 +10,10 @@
 namespace playhouse::config {
 
 /// A device address in configuration files: `key:host:port:interface:index`;
-/// everything before the interface may be missing or empty.
+/// everything before the interface may be missing or empty. An IPv6 host is in brackets.
 struct DeviceAddress {
   std::string key;                    // "": none
-  std::string host;                   // "": this server; "/FOLDER": one with a Unix socket there
+  std::string host;                   // "": this server; "::1"; "/FOLDER": one with a Unix socket there
   std::optional<std::uint16_t> port;  // none: the server's own
   std::string interf;                 // interface name, e.g. "position2d"
   std::uint16_t index = 0;

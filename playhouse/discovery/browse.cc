@@ -85,7 +85,7 @@ Result<std::vector<FoundServer>> browse(double seconds) {
   const std::unique_ptr<AvahiClient, FreeClient> client(avahi_client_new(
       avahi_simple_poll_get(poll.get()), AvahiClientFlags{}, client_changed_while_browsing, &search, &error));
   if (client == nullptr)
-    return Error{"", "cannot look for servers on the network: " + std::string(avahi_strerror(error))};
+    return Error{"", "cannot look for servers on the network, as there is no Avahi daemon"};
   search.client = client.get();
   if (avahi_service_browser_new(client.get(), AVAHI_IF_UNSPEC, AVAHI_PROTO_UNSPEC,
                                 std::string(kServiceType).c_str(), nullptr, AvahiLookupFlags{}, browsed,

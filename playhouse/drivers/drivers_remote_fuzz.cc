@@ -82,7 +82,9 @@ class User final : public RemoteServer::RemoteServerEvents {
     PLAYHOUSE_ASSERT(remote_.is_connected() && body.size() == header.size);
   }
   void caught_up() override { PLAYHOUSE_ASSERT(remote_.is_connected()); }
-  void opened(RemoteDevice, bool) override { PLAYHOUSE_ASSERT(remote_.is_connected()); }
+  void opened(RemoteDevice, RemoteServer::RemoteOpening) override {
+    PLAYHOUSE_ASSERT(remote_.is_connected());
+  }
   void gone(RemoteDevice device) override {
     if (device.index % 2 == 1) remote_.disconnect();  // as a driver may, within an event
   }

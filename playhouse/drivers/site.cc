@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/base/monotonic.h"
@@ -23,7 +24,8 @@ Result<std::unique_ptr<SiteWorld>> Host::open_world(const std::string& path, Sit
 }
 
 Result<device::Address> Site::resolve(const config::DeviceAddress& address) const {
-  if (!address.host.empty() && address.host != "localhost" && address.host != "127.0.0.1") {
+  constexpr std::string_view kOwnHosts[] = {"", "localhost", "127.0.0.1", "::1"};
+  if (std::ranges::find(kOwnHosts, address.host) == std::end(kOwnHosts)) {
     return Error{"", fmt::format("{}: a device of another host is for the driver \"passthrough\" alone",
                                  in_quotes(address.text()))};
   }

@@ -98,8 +98,7 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
   }
 
   void warn_of_handshake(const std::string& peer, const std::string& why) {
-    if (std::exchange(warned_, true)) return;
-    log::warn("port {}: {} refused: invalid TLS handshake: {} (logged once)", port_, peer, why);
+    log::warn("port {}: {} refused: invalid TLS handshake: {}", port_, peer, why);
   }
 
   // Out of descriptors or memory: the peer stays in the
@@ -120,7 +119,7 @@ class AcceptLoop : public std::enable_shared_from_this<AcceptLoop> {
   asio::steady_timer pause_;
   SocketAcceptor accept_;
   std::uint16_t port_ = 0;
-  bool failing_ = false, warned_ = false;
+  bool failing_ = false;
 };
 
 class TcpListener final : public Listener {

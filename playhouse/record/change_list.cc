@@ -7,6 +7,7 @@
 
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/record/cdr.h"
+#include "playhouse/record/device_recording.h"
 #include "playhouse/record/messages.h"
 
 namespace playhouse::record {
@@ -48,8 +49,9 @@ Result<ChangeCount> list_changes(const ByteSource& source,
     const auto schema = reader.schemas().find(channel.second.schema);
     return schema != reader.schemas().end() && schema->second.name == kChange;
   };
-  if (std::ranges::none_of(reader.channels(), is_kept))
-    return Error{{}, "has no list of changes: it was not recorded by this version of Playhouse"};
+  const bool has_list = std::ranges::any_of(reader.channels(), is_kept);
+  if (!has_list && is_of_devices(reader)) return only_of_devices("no changes");
+  if (!has_list) return Error{{}, "has no list of changes: it was not recorded by this version of Playhouse"};
   if (count.changes == 0) write(kHeader);
   count.cut = *end == McapReader::FileEnd::kCut;
   return count;

@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/record/device_recording.h"
 #include "playhouse/record/message_type.h"
 #include "playhouse/record/messages.h"
 
@@ -168,6 +169,8 @@ class Export {
             read([](Table& table, const MessageRecord& message) { return table.measure(message); });
         !measured)
       return measured.error();
+    if (tables_.empty() && is_of_devices_)
+      return only_of_devices("no tables, which are made of messages of ROS 2");
     std::error_code fault;
     std::filesystem::create_directories(folder_, fault);
     if (fault) return Error{escaped(folder_), "cannot be made: " + fault.message()};
@@ -199,6 +202,7 @@ class Export {
                      .attachment = {}});
     if (!end) return end.error();
     done_.cut = *end == McapReader::FileEnd::kCut;
+    is_of_devices_ = is_of_devices(reader);
     return {};
   }
 
@@ -249,6 +253,7 @@ class Export {
   std::map<std::uint16_t, Table> tables_;
   std::set<std::uint16_t> seen_;
   std::set<std::string> files_;
+  bool is_of_devices_ = false;
   CsvTables done_;
 };
 

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "playhouse/base/log.h"
+#include "playhouse/record/device_recording.h"
 #include "playhouse/record/mcap/mcap.h"
 #include "playhouse/wire/messages.h"
 
@@ -135,10 +136,10 @@ DeviceRecorder::RecordedChannel* DeviceRecorder::channel_of(const Arrival& heard
   const auto [schema, is_new] =
       schemas_.try_emplace(message, static_cast<std::uint16_t>(schemas_.size() + 1));
   if (is_new)
-    put(out, Schema{schema->second, message, "jsonschema",
+    put(out, Schema{schema->second, message, kDeviceSchemaEncoding,
                     boost::json::serialize(schema_of(boost::json::parse(json)))});
   const auto id = static_cast<std::uint16_t>(channels_.size());
-  put(out, Channel{id, schema->second, topic_of(heard.address, message), "json"});
+  put(out, Channel{id, schema->second, topic_of(heard.address, message), kDeviceMessageEncoding});
   return &channels_.emplace(std::pair(heard.address, heard.subtype), RecordedChannel{id}).first->second;
 }
 

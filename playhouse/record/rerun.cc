@@ -10,6 +10,7 @@
 #include "playhouse/base/formats.h"
 #include "playhouse/base/in_quotes.h"
 #include "playhouse/record/cdr.h"
+#include "playhouse/record/device_recording.h"
 #include "playhouse/record/messages.h"
 #include "playhouse/record/recorder.h"
 #include "playhouse/world/changes/packed_change.h"
@@ -92,6 +93,7 @@ Result<Recording> read_recording(const ByteSource& source, std::size_t most) {
   recording.cut = *end == McapReader::FileEnd::kCut;
   if (recording.cut && !has_message)
     return Error{{}, "was not finished and ends before its first whole chunk: there is nothing to run again"};
+  if (!has_start && is_of_devices(reader)) return only_of_devices("no run to run again");
   if (!has_start)
     return Error{{},
                  "is not a recording of Playhouse: the attachment " + in_quotes(kStartName) + " is missing"};

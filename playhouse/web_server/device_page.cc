@@ -1,5 +1,6 @@
 #include "playhouse/web_server/device_page.h"
 
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -31,12 +32,12 @@ net::HttpReply DevicePage::get(const net::HttpRequest& request) {
   if (request.path != kStatus)
     return page_reply(options_.page, request.path == "/" ? "/devices.html" : request.path,
                       request.accepts_gzip);
-  if (!options_.guests.admit(token_of(request), request.peer))
-    return failed_reply(403, "Open the page by the link that you were given.\n");
+  const std::optional<server::Guest> guest = options_.guests.admit(token_of(request), request.peer);
+  if (!guest) return failed_reply(403, "Open the page by the link that you were given.\n");
   net::HttpReply reply;
   reply.content_type = "application/json";
   reply.cache_control = "no-store";
-  reply.text = std::make_shared<const std::string>(status_());
+  reply.text = std::make_shared<const std::string>(status_(*guest));
   return reply;
 }
 

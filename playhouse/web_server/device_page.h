@@ -32,8 +32,8 @@ class DevicePage final : private net::HttpService {
     net::TrustedProxies proxies;             // in front of the page, which name its clients
     std::uint16_t player_port = 6665;        // of clients that name none
   };
-  /// What the page shows of the server beside its devices, as JSON.
-  using StatusText = std::function<std::string()>;
+  /// What the page shows of the server beside its devices, to whom it may show it, as JSON.
+  using StatusText = std::function<std::string(const server::Guest& guest)>;
 
   /// `network` must outlive it; destroy it when the network has stopped.
   DevicePage(net::Network& network, DevicePageOptions options, ClientCame came, StatusText status);

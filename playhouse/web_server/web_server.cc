@@ -437,8 +437,11 @@ class WebServer::Impl final : public net::HttpService,
   Result<void> execute(const replicate::Copy& copy, WebViewer& from) {
     return with_row(copy.model, [&](world::ModelRow row) -> Result<void> {
       if (!may_be_moved(newest().root[row])) return Error{"", "this model may not be copied"};
-      return post_spawn(from, [copy](world::Journal& journal) -> std::optional<Result<world::ModelId>> {
-        if (!journal.world().row(copy.model)) return std::nullopt;
+      const auto tree = [copy](const world::World& world) -> std::optional<std::uint32_t> {
+        const world::ModelRow model = world.row(copy.model);
+        return model ? std::optional(world.models.desc[model]) : std::nullopt;
+      };
+      return post_spawn(from, tree, [copy](world::Journal& journal) {
         return journal.spawn_copy(copy.model, {copy.x, copy.y, 0, copy.a});
       });
     });
@@ -448,23 +451,28 @@ class WebServer::Impl final : public net::HttpService,
     const auto& addable = feed_.prototypes().addable();
     if (add.robot >= addable.size()) return Error{"", "there is no such robot to add"};
     const std::uint32_t desc = addable[add.robot].desc;
-    return post_spawn(from, [add, desc](world::Journal& journal) -> std::optional<Result<world::ModelId>> {
+    const auto tree = [desc](const world::World&) { return std::optional(desc); };
+    return post_spawn(from, tree, [add, desc](world::Journal& journal) {
       const geom::Pose X_WM{add.x, add.y, journal.world().scene().models[desc].X_PM.z, add.a};
       return journal.spawn(desc, X_WM);
     });
   }
 
-  /// Of the viewer's share. `spawn` returns none if what it would copy was removed.
+  /// Of the viewer's share. `tree`: the description of what comes; none if what would be copied was removed.
   Result<void> post_spawn(const WebViewer& from,
-                          std::function<std::optional<Result<world::ModelId>>(world::Journal&)> spawn) {
-    return post_change([spawn = std::move(spawn), tell = teller(from), shares = options_.shares,
+                          std::function<std::optional<std::uint32_t>(const world::World&)> tree,
+                          std::function<Result<world::ModelId>(world::Journal&)> spawn) {
+    return post_change([tree = std::move(tree), spawn = std::move(spawn), tell = teller(from),
+                        shares = options_.shares,
                         holder = net::holder_of(from.guest().token, from.peer())](world::Journal& journal) {
       const world::World& world = journal.world();
-      if (const Result<void> room = shares->check(world, holder); !room) return tell(room.error().text);
-      const std::optional<Result<world::ModelId>> came = spawn(journal);
-      if (!came) return;
-      if (!*came) return tell(came->error().text);
-      shares->add(world, holder, **came);
+      const std::optional<std::uint32_t> desc = tree(world);
+      if (!desc) return;
+      if (const Result<void> room = shares->check(world, holder, {&*desc, 1}); !room)
+        return tell(room.error().text);
+      const Result<world::ModelId> came = spawn(journal);
+      if (!came) return tell(came.error().text);
+      shares->add(world, holder, *came);
     });
   }
 

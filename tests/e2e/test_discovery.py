@@ -118,8 +118,15 @@ def browse() -> dict[str, tuple[str, int, set[str]]]:
     return found
 
 
-def playhouse(*arguments) -> subprocess.CompletedProcess:
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+def playhouse(*arguments, env=None) -> subprocess.CompletedProcess:
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, env=env)
+
+
+def why_nobody_answers(*arguments, env=None) -> str:
+    asked = playhouse(*arguments, env=env)
+    assert asked.returncode == 1, asked
+    assert asked.stderr.count("\n") == 1, asked.stderr
+    return asked.stderr
 
 
 class NoDaemon(HouseTest):
@@ -129,6 +136,14 @@ class NoDaemon(HouseTest):
             house.wait_for_line("not announced on the network: there is no Avahi daemon")
             with Client(int(house.wait_for_line(r"^Player clients: [\d.]+:(\d+)$").group(1))) as client:
                 self.assertEqual(client.open(LASER, 0).type, ACK)
+
+    def test_who_names_a_robot_is_told_that_there_is_no_daemon(self):
+        if os.environ[INSIDE] == NO_SPACES:
+            self.skipTest("this machine makes no name spaces, and whoever has the default port on it would answer")
+        env = {**os.environ, "DBUS_SYSTEM_BUS_ADDRESS": "unix:path=/nowhere"}
+        for words in (["drive", "pioneer"], ["watch", "pioneer"], ["devices"]):
+            self.assertRegex(why_nobody_answers(*words, env=env), "127.0.0.1:6665: cannot connect: Connection refused; no server .*; "
+                             "cannot look for servers on the network, as there is no Avahi daemon")
 
 
 class Discovery(HouseTest):
@@ -183,6 +198,12 @@ class Discovery(HouseTest):
                 self.assertEqual(watched.returncode, 0, watched.stderr)
                 self.assertIn('"time":', watched.stdout)
             self.assertIn("laser:0", playhouse("devices", name).stdout)
+
+    def test_a_robot_that_nobody_announces_is_told_so(self):
+        self.assertIn('Connection refused; no server announces a robot "pioneer"', why_nobody_answers("drive", "pioneer"))
+        self.assertIn('no server announces a robot "pioneer"', why_nobody_answers("watch", "pioneer"))
+        self.assertIn('no server or robot "the pioneer" is announced', why_nobody_answers("watch", "the pioneer", "laser:0"))
+        self.assertIn("no server is announced on the network", why_nobody_answers("devices"))
 
     def test_a_robot_that_two_servers_announce_is_asked_about(self):
         with House("run", self.world(), "--port", 0, *WIDE) as one, House("run", self.world(), "--port", 0, *WIDE) as other:

@@ -87,6 +87,10 @@ class Guests(HouseTest):
         server = f"127.0.0.1:{house.port()}"
         refused = finish("devices", server)
         self.assertEqual(refused.returncode, 1)
+        self.assertIn("refused: player.req.devlist to player:0; it may need a token (docs/guests.md)", refused.stderr)
+        self.assertIn("it may need a token", finish("watch", server, "position2d:0", "--count", 1).stderr)
+        absent = finish("watch", server, "laser:9", "--token", "watcher-001")
+        self.assertNotIn("token", absent.stderr)
         self.assertIn("position2d:0", finish("devices", server, "--token", "watcher-001").stdout)
         self.assertIn("the token is refused", finish("devices", server, "--token", "watcher-002").stderr)
         self.assertIn("1 to 32 letters", finish("devices", server, "--token", "x" * 33).stderr)
@@ -95,6 +99,16 @@ class Guests(HouseTest):
         robot = self.write("robot.toml", 'type = "scout"\nname = "mine"\npose = [2, 2, 0]\n')
         late = finish("robot", robot, "--server", server, "--port", 0, "--token", "watcher-001")
         self.assertEqual(late.returncode, 1, late.stderr)
+
+    def test_a_relay_says_what_opens_the_other_server(self):
+        port = self.house().port()
+        for token, why in (("", "it may need a token"), ('token "watcher-002"', "the token does not admit this")):
+            relay = self.enterContext(House("serve", self.write("relay.cfg", (
+                f'driver( name "passthrough" provides ["position2d:0"] requires ["127.0.0.1:{port}:position2d:0"] {token} )')),
+                "--port", 0, "--headless"))
+            with Client(relay.port()) as client:
+                self.assertEqual(client.open(POSITION2D, 0).body[19], 3, "cannot be opened")
+            relay.wait_for_line(rf"127\.0\.0\.1:{port} does not open position2d:0: {why}")
 
     def test_who_guesses_is_logged_and_has_to_wait(self):
         house = self.house()
@@ -216,7 +230,7 @@ class Guests(HouseTest):
         self.assertEqual(len(re.findall("--trusted-proxy", house.log())), 1)
 
     def cupboard(self) -> Path:
-        """It is 129 models: 32 of them are as many as one may bring."""
+        """It is 129 models: 31 of them fit into the share of one."""
         boxes = "".join(f"model( pose [0 0 0 {k}] size [0.1 0.1 0.1] ) " for k in range(128))
         return self.write("cupboard.world", f'interval_sim 100 model( name "c" size [0.2 0.2 0.2] {boxes})')
 
@@ -224,9 +238,9 @@ class Guests(HouseTest):
         house = self.enterContext(self.run_house(world=self.cupboard()))
         with connect(f":{house.port()}", timeout=60) as first, connect(f":{house.port()}", timeout=60) as other:
             for client in (first, other):
-                for k in range(32):
+                for k in range(31):
                     client.simulation(0).spawn("c", k, 0, 0)
-                with self.assertRaisesRegex(RequestRefused, "your share of the run is full: you brought 4128 models"):
+                with self.assertRaisesRegex(RequestRefused, "your share of the run is full: you brought 3999 models"):
                     client.simulation(0).spawn("c", 0, 1, 0)
 
     def test_a_token_has_one_share_of_what_may_be_brought(self):
@@ -235,8 +249,8 @@ class Guests(HouseTest):
         house = self.enterContext(self.run_house("--guests", guests, world=world))
         address = f":{house.port()}"
         with connect(address, token="the-admin-1", timeout=60) as first, connect(address, token="the-admin-2", timeout=60) as other:
-            names = [first.simulation(0).spawn("c", k, 0, 0) for k in range(32)]
-            refused = "your share of the run is full: you brought 4128 models with 0 sensors and 0 beams"
+            names = [first.simulation(0).spawn("c", k, 0, 0) for k in range(31)]
+            refused = "your share of the run is full: you brought 3999 models with 0 sensors and 0 beams"
             with self.assertRaisesRegex(RequestRefused, refused):
                 first.simulation(0).spawn("c", 0, 1, 0)
             with connect(address, token="the-admin-1", timeout=60) as again:

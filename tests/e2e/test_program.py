@@ -777,6 +777,11 @@ class Drivers(HouseTest):
             self.assertEqual((done.returncode, done.stdout, len(done.stderr.splitlines())), (2, "", 1), done.stderr)
             self.assertIn(expected, done.stderr)
 
+    def test_their_pages_are_what_the_program_prints(self):
+        done = subprocess.run(["python3", ROOT / "tools" / "driver_pages.py", "--check"], capture_output=True, text=True, timeout=PATIENCE,
+                              env={**os.environ, "PLAYHOUSE_PROGRAM": PROGRAM})
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
 
 class PlayerLink(HouseTest):
     def setUp(self):

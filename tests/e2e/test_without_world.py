@@ -97,7 +97,7 @@ class WithoutWorld(HouseTest):
     def test_the_status_tells_who_is_connected(self):
         house = self.serve()
         port = self.page(house)
-        self.assertEqual(json.loads(self.get(port, "/status.json")), {"ports": [house.port()], "clients": []})
+        self.assertEqual(json.loads(self.get(port, "/status.json")), {"ports": [house.port()], "clients": [], "drives": True})
         with Client(house.port()) as client:
             client.open(LASER, 0)
             (one,) = json.loads(self.get(port, "/status.json"))["clients"]
@@ -114,7 +114,9 @@ class WithoutWorld(HouseTest):
             self.get(port, "/status.json")
         self.assertEqual(refused.exception.code, 403)
         refused.exception.close()
-        self.assertIn("clients", json.loads(self.get(port, "/status.json?token=watcher-001")))
+        watched = json.loads(self.get(port, "/status.json?token=watcher-001"))
+        self.assertEqual((watched["clients"], watched["drives"]), ([], False))
+        self.assertTrue(json.loads(self.get(port, "/status.json?token=the-admin-1"))["drives"])
 
     def test_a_recording_opens_all_devices_and_grows(self):
         file = self.folder / "lab.mcap"
@@ -126,9 +128,11 @@ class WithoutWorld(HouseTest):
         self.assertEqual(house.end(), 128 + 15)
         content = file.read_bytes()
         self.assertTrue(content.startswith(b"\x89MCAP0\r\n") and content.endswith(b"\x89MCAP0\r\n"))
-        done = finish("replay", file, "--web", 0)
-        self.assertNotEqual(done.returncode, 0)
-        self.assertIn("is not a recording of Playhouse", done.stderr)
+        for command in (("replay", file, "--web", 0), ("run", "--again", file), ("export", file, "--changes"), ("export", file, "--csv")):
+            done = finish(*command)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertRegex(done.stderr, f"^{file}: error: is a recording of devices, without a world: it has no .*docs/recording.md.\n$")
+        self.assertFalse((self.folder / "lab").exists(), "no folder without tables")
 
     def test_what_only_a_world_has_is_an_error(self):
         cfg = self.write("lab.cfg", CFG)

@@ -82,6 +82,23 @@ test('a person drives the robot of the other server, which stops when driving en
   assert.notEqual(await value('position2d:0', 'pos.pa'), heading);
 });
 
+test('an observer is offered no stick, and told why', async () => {
+  const guests = join(mkdtempSync(join(tmpdir(), 'devices-')), 'guests.txt');
+  writeFileSync(guests, 'admin the-admin-1 Ada\nobserver watcher-001\n');
+  const guarded = await serve(relayOf(robot.port), ['--port', '0', '--guests', guests]);
+  const observer = await openPage(browser, {});
+  await observer.goto(`${guarded.page}#watcher-001`);
+  await observer.locator('#list [data-device="position2d:0"]').click();
+  await observer.getByTestId('observes').waitFor();
+  assert.equal(await observer.getByTestId('drive').count(), 0);
+  await observer.goto('about:blank');
+  await observer.goto(`${guarded.page}#the-admin-1`);
+  await observer.locator('#list [data-device="position2d:0"]').click();
+  await observer.getByTestId('drive').waitFor();
+  await observer.close();
+  await guarded.stop();
+});
+
 test('the server says who is connected, and this page is one of them', async () => {
   await page.waitForFunction(() => /1 client/.test(document.querySelector('#server')?.textContent ?? ''));
   await page.waitForFunction(() => /2 devices/.test(document.querySelector('#server')?.textContent ?? ''));

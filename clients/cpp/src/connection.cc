@@ -19,7 +19,8 @@ Result<Connection> Connection::open(const std::string& host, std::uint16_t port,
   Connection made(std::move(*socket), peer, port);
   const Result<bool> come = made.fill(limits::kBannerBytes, deadline);
   if (!come) return come.error();
-  if (!*come) return Error{peer, "cannot connect: nothing heard from it"};
+  if (!*come)
+    return Error{peer, "cannot connect: nothing heard from it; it may speak TLS (docs/security.md)"};
   const std::string_view raw(reinterpret_cast<const char*>(made.bytes_.data()), limits::kBannerBytes);
   made.banner_ = raw.substr(0, raw.find('\0'));
   if (!made.banner_.starts_with("Player v.")) return Error{peer, "not a Player server"};

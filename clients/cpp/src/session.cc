@@ -66,10 +66,19 @@ Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint1
 Result<std::vector<std::byte>> Session::request(std::uint16_t interf, std::uint16_t index,
                                                 std::uint8_t subtype, std::span<const std::byte> body,
                                                 Deadline deadline) {
-  auto answer = ask(interf, index, subtype, body, deadline);
+  Result<Message> answer = exchange(interf, index, subtype, body, deadline);
   if (!answer) return answer.error();
-  if (!*answer) return Error{connection_.peer(), "refused: " + describe({interf, index, subtype})};
-  return std::move(**answer);
+  if (answer->header.type == wire::MessageType::kNack) return refusal({interf, index, subtype}, *answer);
+  return std::move(answer->body);
+}
+
+/// Whoever is not admitted gets NACK without a body, also where a refusal has one.
+Error Session::refusal(const Key& key, const Message& answer) const {
+  const bool is_for_all = key.interf == wire::player::kCode &&
+                          (key.subtype == wire::player::kReqDevlist || key.subtype == wire::player::kReqDev);
+  const char* const hint =
+      is_for_all && answer.body.empty() && !has_token_ ? "; it may need a token (docs/guests.md)" : "";
+  return Error{connection_.peer(), "refused: " + describe(key) + hint};
 }
 
 Result<std::optional<std::vector<std::byte>>> Session::ask(std::uint16_t interf, std::uint16_t index,

@@ -41,7 +41,7 @@ struct Slot {
 class Session {
  public:
   Session(Connection connection, const Options& options)
-      : connection_(std::move(connection)), timeout_(options.timeout) {}
+      : connection_(std::move(connection)), timeout_(options.timeout), has_token_(!options.token.empty()) {}
 
   const Connection& connection() const { return connection_; }
   std::uint64_t overflow_count() const { return overflow_count_; }
@@ -107,9 +107,11 @@ class Session {
   bool goes_back(const wire::Header& header) const;
   void forget_later(double timestamp);
   std::string describe(const Key& key) const;
+  Error refusal(const Key& key, const Message& answer) const;
 
   Connection connection_;
   Seconds timeout_;
+  bool has_token_;
   Mode mode_ = Mode::kPush;  // the server's initial mode
   bool round_open_ = false;
   bool round_waits_ = false;  // a round ended while a request was pending: its data are in waiting_

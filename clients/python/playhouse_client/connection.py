@@ -57,7 +57,9 @@ class Connection:
                 self._socket = tls.wrap_socket(self._socket, server_hostname=host)
             self.banner = self._read_banner(deadline)
         except (OSError, ValueError, OverflowError, RequestTimeout) as error:  # ValueError: of an invalid host name
-            reason = "no banner in time" if isinstance(error, RequestTimeout) else error
+            is_clear = tls is None and not self.datagrams and not host.startswith("/")
+            silent = "no banner in time" + ("; the server may speak TLS (docs/security.md)" if is_clear else "")
+            reason = silent if isinstance(error, RequestTimeout) else error
             raise self._drop(f"cannot connect: {reason}") from error
 
     def _connected(self, host: str, port: int) -> socket.socket:

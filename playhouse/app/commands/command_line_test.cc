@@ -16,6 +16,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 Result<CommandLine> parse(std::vector<const char*> words) {
   return parse_command_line(words);
@@ -269,6 +270,7 @@ TEST(CommandLine, an_address_that_others_reach_needs_guests_or_a_word_that_it_is
       EXPECT_EQ(fault(words), "accepted") << text;
     }
   }
+  EXPECT_THAT(fault({"robot", "r.toml", "--server", "lab", "--bind", "0.0.0.0"}), Not(HasSubstr("--guests")));
   for (const char* text : {"127.0.0.1", "127.1.2.3", "localhost", "::1"})
     EXPECT_EQ(parsed<RunOptions>({"run", "w", "--bind", text}).serving.bind, text);
   EXPECT_EQ(parsed<RunOptions>({"run", "w", "--bind", "0.0.0.0", "--guests", "g"}).serving.guests, "g");

@@ -54,11 +54,12 @@ void print_table(const std::vector<client::DeviceEntry>& devices) {
   }
 }
 
-/// Without a server that was asked for: those of the network, if there are any.
-int no_server(const DevicesOptions& options, const Error& why) {
-  if (!options.server.empty()) return fail(why);
+/// Without a server on this machine: those of the network, if there are any.
+int no_server_here(const DevicesOptions& options, const Error& why) {
   const Result<std::vector<discovery::FoundServer>> servers = announced_servers();
-  if (!servers || servers->empty()) return fail(why);
+  if (!servers || servers->empty())
+    return fail(
+        {why.where, why.text + "; " + and_of_network("no server is announced on the network", servers)});
   log::info("no server on this machine; on the network there are");
   print_servers(*servers, options.json);
   return kDone;
@@ -68,11 +69,12 @@ int no_server(const DevicesOptions& options, const Error& why) {
 
 int devices(const DevicesOptions& options) {
   if (options.network) return list_servers(options.json);
-  const Result<client::Address> server = reach_server(options.server);
+  const Result<NamedServer> server = reach_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client =
-      client::Client::connect(server->host, server->port, {.token = options.token});
-  if (!client) return no_server(options, client.error());
+      client::Client::connect(server->address.host, server->address.port, {.token = options.token});
+  if (!client && options.server.empty()) return no_server_here(options, client.error());
+  if (!client) return fail(server->explain(client.error()));
   const Result<std::vector<client::DeviceEntry>> devices = client->devices();
   if (!devices) return fail(devices.error());
   if (options.json) {

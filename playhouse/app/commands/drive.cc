@@ -114,12 +114,12 @@ int drive(const DriveOptions& options) {
   if (!wanted) return fail(wanted.error(), kUsage);
   if (wanted->address && !drives(wanted->address->interf))
     return fail({"", "drive needs a position2d device or a robot's name"}, kUsage);
-  const Result<client::Address> server =
+  const Result<NamedServer> server =
       is_robot_alone ? server_of_robot(options.server) : reach_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client = client::Client::connect(
-      server->host, server->port, {.mode = client::Mode::kPush, .token = options.token});
-  if (!client) return fail(client.error());
+      server->address.host, server->address.port, {.mode = client::Mode::kPush, .token = options.token});
+  if (!client) return fail(server->explain(client.error()));
   const Result<DeviceName> name = find_device(*client, *wanted, &drives);
   if (!name) return fail(name.error());
   Result<client::Device> robot = client::Device::open(*client, name->interf, name->index);

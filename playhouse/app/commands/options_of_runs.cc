@@ -137,7 +137,7 @@ void add_robot(CLI::App& app, RobotOptions& options) {
       ->capture_default_str();
   add_bind(app, options.bind);
   add_insecure(app, options.insecure);
-  app.callback([&options] { check_access({.bind = options.bind, .insecure = options.insecure}); });
+  app.callback([&options] { check_bind_insecure(options.bind, options.insecure); });
 }
 
 void add_gym(CLI::App& app, GymOptions& options) {

@@ -83,9 +83,15 @@ void add_bind(CLI::App& app, std::string& address) {
       ->capture_default_str();
 }
 
-void add_insecure(CLI::App& app, bool& insecure) {
-  app.add_flag("--insecure", insecure,
-               "let everybody who reaches --bind ADDRESS do everything, without --guests or --key");
+void add_insecure(CLI::App& app, bool& insecure, const std::string& otherwise) {
+  app.add_flag("--insecure", insecure, "let everybody who reaches --bind ADDRESS do everything" + otherwise);
+}
+
+void check_bind_insecure(const std::string& bind, bool insecure) {
+  if (insecure || !is_for_others(bind)) return;
+  throw CLI::ValidationError(
+      "--bind " + bind +
+      ": everybody on the network could drive the robots, without a token: --insecure allows it");
 }
 
 void check_access(const Serving& serving) {
@@ -104,7 +110,7 @@ void add_auth_key(CLI::App& app, std::string& token) {
 
 void add_hosts(CLI::App& app, Serving& serving) {
   add_bind(app, serving.bind);
-  add_insecure(app, serving.insecure);
+  add_insecure(app, serving.insecure, ", without --guests or --key");
   app.add_option("--web-host", serving.web_hosts, "a further host name for the page; may be repeated")
       ->check(check_web_host)
       ->expected(1)

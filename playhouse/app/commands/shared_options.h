@@ -31,7 +31,10 @@ void add_workers(CLI::App& app, unsigned& workers, const std::string& help = "wo
 inline constexpr const char* kWorkersOfARun = "worker threads; the result does not depend on it";
 void add_allowed_libraries(CLI::App& app, Running& running);
 void add_bind(CLI::App& app, std::string& address);
-void add_insecure(CLI::App& app, bool& insecure);
+/// `otherwise`: what keeps others from that, for the help.
+void add_insecure(CLI::App& app, bool& insecure, const std::string& otherwise = {});
+/// For programs without access control: throws unless nobody else reaches the address, or that is meant.
+void check_bind_insecure(const std::string& bind, bool insecure);
 /// For callbacks of commands: throws if others could come in without a token and nobody has said that they may.
 void check_access(const Serving& serving);
 /// --token of a Player client.

@@ -68,12 +68,12 @@ int watch(const WatchOptions& options) {
   if (!wanted) return fail(wanted.error(), kUsage);
   if (wanted->address && !sends_data(wanted->address->interf))
     return fail({"", "a device of this interface sends no data to watch"}, kUsage);
-  const Result<client::Address> server =
+  const Result<NamedServer> server =
       is_robot_alone ? server_of_robot(options.server) : reach_server(options.server);
   if (!server) return fail(server.error(), kUsage);
   Result<client::Client> client = client::Client::connect(
-      server->host, server->port, {.mode = client::Mode::kPush, .token = options.token});
-  if (!client) return fail(client.error());
+      server->address.host, server->address.port, {.mode = client::Mode::kPush, .token = options.token});
+  if (!client) return fail(server->explain(client.error()));
   const Result<DeviceName> name = find_device(*client, *wanted, &sends_data);
   if (!name) return fail(name.error());
   Result<client::Device> device = client::Device::open(*client, name->interf, name->index);

@@ -67,25 +67,38 @@ Result<std::vector<FoundServer>> announced_servers() {
   return discovery::browse(kBrowseSeconds);
 }
 
-Result<client::Address> reach_server(const std::string& text) {
-  Result<client::Address> address = parse_server(text);
-  if (address && is_host(address->host)) return address;
-  const Result<std::vector<FoundServer>> servers = announced_servers();
-  if (!servers) return address;
-  auto found = only_one(text, *servers, [&](const FoundServer& server) { return server.name == text; });
-  if (found && !*found)
-    found = only_one(text, *servers, [&](const FoundServer& server) { return has_robot(server, text); });
-  if (!found) return found.error();
-  return *found ? Result<client::Address>(**found) : address;
+std::string and_of_network(std::string none, const Result<std::vector<FoundServer>>& servers) {
+  return servers ? none : none + "; " + servers.error().text;
 }
 
-Result<client::Address> server_of_robot(const std::string& robot) {
+Error NamedServer::explain(const Error& why) const {
+  return not_announced.empty() ? why : Error{why.where, why.text + "; " + not_announced};
+}
+
+Result<NamedServer> reach_server(const std::string& text) {
+  const Result<client::Address> address = parse_server(text);
+  if (address && is_host(address->host)) return NamedServer{*address, {}};
   const Result<std::vector<FoundServer>> servers = announced_servers();
-  if (!servers) return parse_server("");
-  const auto found =
-      only_one(robot, *servers, [&](const FoundServer& server) { return has_robot(server, robot); });
+  const std::vector<FoundServer> known = servers ? *servers : std::vector<FoundServer>();
+  auto found = only_one(text, known, [&](const FoundServer& server) { return server.name == text; });
+  if (found && !*found)
+    found = only_one(text, known, [&](const FoundServer& server) { return has_robot(server, text); });
   if (!found) return found.error();
-  return *found ? Result<client::Address>(**found) : parse_server("");
+  if (*found) return NamedServer{**found, {}};
+  if (!address) return address.error();
+  return NamedServer{*address,
+                     and_of_network("no server or robot " + in_quotes(text) + " is announced", servers)};
+}
+
+Result<NamedServer> server_of_robot(const std::string& robot) {
+  const Result<client::Address> own = parse_server("");
+  if (!own) return own.error();
+  const Result<std::vector<FoundServer>> servers = announced_servers();
+  const auto found = only_one(robot, servers ? *servers : std::vector<FoundServer>(),
+                              [&](const FoundServer& server) { return has_robot(server, robot); });
+  if (!found) return found.error();
+  if (*found) return NamedServer{**found, {}};
+  return NamedServer{*own, and_of_network("no server announces a robot " + in_quotes(robot), servers)};
 }
 
 void print_servers(const std::vector<FoundServer>& servers, bool json) {

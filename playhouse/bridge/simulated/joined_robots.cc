@@ -81,7 +81,9 @@ void JoinedRobots::join(const wire::simulation::PropertyReq& request, device::Ca
                                                    wanted = std::move(*wanted), holder = caller->holder(),
                                                    shares = simulation_.shares()](world::Journal& journal) {
     const world::World& world = journal.world();
-    if (const Result<void> room = shares->check(world, holder); !room)
+    const Result<std::vector<std::uint32_t>> types = types_of(world, wanted);
+    if (!types) return shared->nack(answer(request, types.error().text));
+    if (const Result<void> room = shares->check(world, holder, *types); !room)
       return shared->nack(answer(request, room.error().text));
     Result<Joined> joined = drivers::join(journal, wanted);
     if (!joined) return shared->nack(answer(request, joined.error().text));

@@ -159,14 +159,24 @@ Result<RobotRequest> parse_join_request(std::string_view type, std::string_view 
   return request;
 }
 
+Result<std::vector<std::uint32_t>> types_of(const World& world, const RobotRequest& request) {
+  const Result<Type> robot = find_type(world, request.type, true);
+  if (!robot) return robot.error();
+  std::vector<std::uint32_t> types{robot->prototype};
+  for (const RobotRequest::SensorRequest& sensor : request.sensors) {
+    const Result<Type> type = find_type(world, sensor.type, false);
+    if (!type) return type.error();
+    types.push_back(type->prototype);
+  }
+  return types;
+}
+
 Result<Joined> join(world::Journal& journal, const RobotRequest& request) {
   const World& world = journal.world();
   if (const Result<void> room = world::check_budget(world); !room) return room.error();
   const Result<Type> type = find_type(world, request.type, true);
-  if (!type) return type.error();
   // Validates everything before the first spawn: atomic.
-  for (const RobotRequest::SensorRequest& sensor : request.sensors)
-    if (const Result<Type> known = find_type(world, sensor.type, false); !known) return known.error();
+  if (const auto known = types_of(world, request); !known) return known.error();
   std::optional<scene::Color> color;
   if (!request.color.empty()) {
     const Result<scene::Color> read = color_of(request.color);

@@ -40,6 +40,9 @@ struct Joined {
   std::vector<world::ModelId> sensors;
 };
 
+/// The descriptions of the robot and of its sensors, before they are spawned. Fails as join().
+Result<std::vector<std::uint32_t>> types_of(const world::World& world, const RobotRequest& request);
+
 /// Atomic. Fails with a message for the client: unknown
 /// type, name in use, place occupied, world full.
 Result<Joined> join(world::Journal& journal, const RobotRequest& request);

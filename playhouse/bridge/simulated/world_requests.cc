@@ -128,7 +128,8 @@ void spawn(run::Simulation& simulation, const Asked& asked, const device::Caller
         const std::string_view like = wire::text(asked.request.name);
         const world::ModelRow model = world.find(like);
         if (!model) return asked.nack("there is no model " + in_quotes(like));
-        if (const Result<void> room = shares->check(world, holder); !room)
+        const std::uint32_t tree[] = {world.models.desc[model]};
+        if (const Result<void> room = shares->check(world, holder, tree); !room)
           return asked.nack(room.error().text);
         if (const Result<void> near = check_near(world, at); !near) return asked.nack(near.error().text);
         const auto came = journal.spawn_copy(world.id(model), at, name);

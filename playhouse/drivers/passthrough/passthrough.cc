@@ -29,7 +29,8 @@ namespace {
 constexpr double kLinger = 1;  // s that what nobody uses any more stays open
 constexpr const char* kNotConnected = "is not connected";
 constexpr const char* kHasRetired = "the device has retired";
-constexpr std::uint16_t kPlayerPort = 6665;  // default port of a remote host
+constexpr std::uint16_t kPlayerPort = 6665;                                // default port of a remote host
+constexpr int kLargestNumber = std::numeric_limits<std::uint16_t>::max();  // of ports and of devices
 
 std::string describe(RemoteDevice device) {
   return device::describe_on_port({0, device.interf, device.index});
@@ -97,8 +98,9 @@ std::optional<bool> own_property(const device::Message& message) {
   }
 }
 
-bool is_uint16(std::int32_t value) {
-  return value >= 0 && value <= std::numeric_limits<std::uint16_t>::max();
+/// Whether a property of the proxy may have a value.
+bool is_valid(std::string_view key, std::int32_t value) {
+  return value >= (key == kPort ? 1 : 0) && value <= kLargestNumber;
 }
 
 }  // namespace
@@ -274,9 +276,7 @@ void Passthrough::wait_at(RemoteDevice device, Proxy& proxy) {
   if (!proxy.patience)
     proxy.patience = site_.surroundings().network().after(limits::kRelaySeconds, [this, device] {
       const auto found = proxies_.find(device);
-      if (found != proxies_.end())
-        refuse(found->second,
-               fmt::format("{} does not answer within {:g} s", remote_.name(), limits::kRelaySeconds));
+      if (found != proxies_.end()) refuse(found->second, why_silent());
     });
   if (remote_.is_connected()) return advance(device, proxy);
   retry_.reset();
@@ -361,6 +361,17 @@ void Passthrough::refuse(Proxy& proxy, const std::string& why) {
   for (const Prepared& heard : std::exchange(proxy.openers, {})) heard(Error{"", why});
 }
 
+std::string Passthrough::why_silent() const {
+  return fmt::format("{} does not answer within {:g} s{}", remote_.name(), limits::kRelaySeconds,
+                     remote_.may_speak_tls() ? "; if it speaks TLS, tls_ca says whom to trust" : "");
+}
+
+std::string Passthrough::why_closed(RemoteDevice device, RemoteServer::RemoteOpening opening) const {
+  const std::string why = fmt::format("{} does not open {}", remote_.name(), describe(device));
+  if (opening != RemoteServer::RemoteOpening::kNotAdmitted) return why;
+  return why + (remote_.has_token() ? ": the token does not admit this" : ": it may need a token");
+}
+
 void Passthrough::close_if_idle(RemoteDevice device, Proxy& proxy) {
   if (!proxy.is_idle() || proxy.there != Proxy::There::kOpen) return;
   proxy.there = Proxy::There::kClosed;
@@ -426,7 +437,7 @@ std::optional<Bytes> Passthrough::answer_host(wire::StrpropReq asked, bool sets)
 
 std::optional<Bytes> Passthrough::answer_number(RemoteDevice device, wire::IntpropReq asked, bool sets) {
   const std::string_view key = wire::text(asked.key);
-  if (sets && (stays_connected_ || !is_uint16(asked.value))) return std::nullopt;
+  if (sets && (stays_connected_ || !is_valid(key, asked.value))) return std::nullopt;
   const auto value = static_cast<std::uint16_t>(asked.value);
   if (sets && key == kPort) move_to(remote_.host(), value);
   if (sets && key == kIndex && !move_proxy(device, value)) return std::nullopt;
@@ -442,7 +453,8 @@ void Passthrough::move_to(const std::string& host, std::uint16_t port) {
   for (auto& [device, proxy] : proxies_) proxy.circle.reset();
   remote_.set_server(host, port);
   name_ = driver_name(host, port);
-  log::info("passthrough: its devices are those of {}", remote_.name());
+  log::info("passthrough: its devices are those of {}, which gets {}token", remote_.name(),
+            remote_.has_token() ? "the file's " : "no ");
   set_connected(!is_cut_);
 }
 
@@ -518,7 +530,8 @@ void Passthrough::retire_all() {
   site_.retire_later(std::move(devices));
 }
 
-void Passthrough::opened(RemoteDevice device, bool is_open) {
+void Passthrough::opened(RemoteDevice device, RemoteServer::RemoteOpening opening) {
+  const bool is_open = opening == RemoteServer::RemoteOpening::kOpen;
   const auto found = proxies_.find(device);
   if (found == proxies_.end()) {
     if (is_open) remote_.close(device);  // it has retired here
@@ -527,7 +540,7 @@ void Passthrough::opened(RemoteDevice device, bool is_open) {
   Proxy& proxy = found->second;
   proxy.there = is_open ? Proxy::There::kOpen : Proxy::There::kClosed;
   if (is_open) return settle(proxy);
-  const std::string why = fmt::format("{} does not open {}", remote_.name(), describe(device));
+  const std::string why = why_closed(device, opening);
   refuse(proxy, why);
   if (!proxy.is_wanted) return;
   if (std::exchange(proxy.told, why) != why) log::warn("passthrough: {}: trying again", why);
@@ -570,22 +583,44 @@ constexpr DeviceText kPassthroughUses[] = {
 
 struct PassthroughOptions {
   Passthrough::AfterLoss after_loss;
+  bool connects;
   std::string token;
   std::string tls_ca;  // file; empty: in the clear
+  // In place of what `requires` says, where the section has them.
+  std::string remote_host;
+  std::uint16_t remote_port, remote_index;
 };
 
 Result<PassthroughOptions> passthrough_options(SectionFields fields) {
-  const bool connects = fields.flag(
+  const std::string host = fields.text(
+      {kHost, "The other server's machine, in place of that of requires.", {}, "that of requires"});
+  const int port = fields.integer({kPort, "Its port, in place of that of requires.", {}, "that of requires"},
+                                  kPlayerPort, 1, kLargestNumber);
+  const int index = fields.integer(
+      {kIndex, "Index of the device there, of a section of one device.", {}, "that of requires"}, 0, 0,
+      kLargestNumber);
+  const bool connects =
+      fields.flag({kConnect, "0: disconnected until a client sets the property of that name to 1."}, true);
+  const bool waits = fields.flag(
       {"reconnect", "0: the devices retire when the connection is lost, instead of waiting for the server."},
       true);
-  std::string token = fields.text({"token", "That of a guest, for a server with --guests.", {}, "none"});
+  std::string token =
+      fields.text({"token",
+                   "That of a guest, for a server with --guests; sent to the server of the file alone.",
+                   {},
+                   "none"});
   fields.expect(token.size() <= wire::kAuthKeyBytes, "token",
                 fmt::format("has {} letters at most", wire::kAuthKeyBytes));
   std::string tls_ca = fields.filename(
       {"tls_ca", "Certificates to trust, PEM, for a server with --tls-cert: its own, or its authority's."});
   if (const Result<void> fault = fields.fault(); !fault) return fault.error();
-  return PassthroughOptions{connects ? Passthrough::AfterLoss::kConnect : Passthrough::AfterLoss::kRetire,
-                            std::move(token), std::move(tls_ca)};
+  return PassthroughOptions{waits ? Passthrough::AfterLoss::kConnect : Passthrough::AfterLoss::kRetire,
+                            connects,
+                            std::move(token),
+                            std::move(tls_ca),
+                            host,
+                            static_cast<std::uint16_t>(port),
+                            static_cast<std::uint16_t>(index)};
 }
 
 Result<std::shared_ptr<net::TlsTrust>> read_trust(const config::CfgSection& section,
@@ -617,9 +652,22 @@ bool is_this_machine(const std::string& host) {
   return host == "localhost" || host == "127.0.0.1" || host == "::1";
 }
 
-Result<Section> read_section(const config::CfgSection& section, const Site& site) {
+/// What a section requires, with the fields that take the place of parts of it.
+std::vector<config::DeviceAddress> required_devices(const config::CfgSection& section,
+                                                    const PassthroughOptions& options) {
+  std::vector<config::DeviceAddress> required = section.addresses("requires");
+  for (config::DeviceAddress& address : required) {
+    if (!options.remote_host.empty()) address.host = options.remote_host;
+    if (section.has(kPort)) address.port = options.remote_port;
+    if (section.has(kIndex)) address.index = options.remote_index;
+  }
+  return required;
+}
+
+Result<Section> read_section(const config::CfgSection& section, const PassthroughOptions& options,
+                             const Site& site) {
   const std::vector<config::DeviceAddress> provided = section.addresses("provides");
-  const std::vector<config::DeviceAddress> required = section.addresses("requires");
+  const std::vector<config::DeviceAddress> required = required_devices(section, options);
   const std::string where = section.at("requires");
   if (required.empty())
     return Error{where,
@@ -628,6 +676,8 @@ Result<Section> read_section(const config::CfgSection& section, const Site& site
   if (required.size() != provided.size())
     return Error{where, fmt::format("{} devices are provided and {} required: each stands for one",
                                     provided.size(), required.size())};
+  if (section.has(kIndex) && required.size() > 1)
+    return Error{section.at(kIndex), fmt::format("{} is of a section of one device", kIndex)};
   Section read;
   for (std::size_t i = 0; i < required.size(); ++i) {
     const Result<device::Address> here = site.resolve(provided[i]);
@@ -636,6 +686,9 @@ Result<Section> read_section(const config::CfgSection& section, const Site& site
     if (!there) return Error{where, there.error().text};
     const std::string host = required[i].host.empty() ? "localhost" : required[i].host;
     const auto port = static_cast<std::uint16_t>(there->robot);
+    if (required[i].port == 0)
+      return Error{where, fmt::format("{} has an invalid port: 1 to {} is valid",
+                                      in_quotes(required[i].text()), kLargestNumber)};
     if (here->interf != there->interf)
       return Error{where, fmt::format("{} cannot stand for {}: a passthrough changes no interface",
                                       in_quotes(provided[i].text()), in_quotes(required[i].text()))};
@@ -669,15 +722,16 @@ constinit const DriverDefinition kPassthroughDriver{
 };
 
 Result<std::unique_ptr<device::Driver>> make_passthrough(const config::CfgSection& section, Site& site) {
-  const Result<Section> read = read_section(section, site);
-  if (!read) return read.error();
   const Result<PassthroughOptions> options = passthrough_options(section);
   if (!options) return options.error();
+  const Result<Section> read = read_section(section, *options, site);
+  if (!read) return read.error();
   auto driver = std::make_unique<Passthrough>(site, read->host, read->port, options->after_loss);
   const Result<std::shared_ptr<net::TlsTrust>> trust = read_trust(section, options->tls_ca);
   if (!trust) return trust.error();
   driver->remote().set_token(options->token);
   driver->remote().set_trust(*trust);
+  if (!options->connects) driver->start_disconnected();
   for (std::size_t i = 0; i < read->here.size(); ++i)
     if (const Result<void> added = driver->add(read->here[i], read->there[i]); !added)
       return Error{section.at("provides"), added.error().text};

@@ -5,7 +5,8 @@
 /// back byte for byte. A remote device is open while its proxy is,
 /// and the server is connected while one of its devices is in use.
 /// Which server and which device that are is changed by properties of
-/// the proxy: "remote_host", "remote_port", "remote_index", "connect".
+/// the proxy: "remote_host", "remote_port", "remote_index", "connect",
+/// which a section may have as fields, too.
 
 #include <cstddef>
 #include <functional>
@@ -41,6 +42,8 @@ class Passthrough final : public device::Driver, private RemoteServer::RemoteSer
 
   /// Adds a proxy for a device of the server. Io thread, once it runs.
   Result<void> add(device::Address address, RemoteDevice device);
+  /// Connects to nobody until a client sets the property "connect". Before the program runs.
+  void start_disconnected() { is_cut_ = true; }
   /// Starts connecting, for a user of the server other than the devices: it stays connected. Io thread, once it
   /// runs.
   void connect();
@@ -96,7 +99,7 @@ class Passthrough final : public device::Driver, private RemoteServer::RemoteSer
   void lost(const std::string& why) override;
   void data(RemoteDevice device, const wire::Header& header, std::span<const std::byte> body) override;
   void caught_up() override;
-  void opened(RemoteDevice device, bool is_open) override;
+  void opened(RemoteDevice device, RemoteServer::RemoteOpening opening) override;
   void gone(RemoteDevice device) override;
 
   std::optional<RemoteDevice> there(device::DeviceId id) const;  // any thread
@@ -113,6 +116,8 @@ class Passthrough final : public device::Driver, private RemoteServer::RemoteSer
   void meet_circle(RemoteDevice device, Proxy& proxy);
   static void settle(Proxy& proxy);
   static void refuse(Proxy& proxy, const std::string& why);
+  std::string why_silent() const;
+  std::string why_closed(RemoteDevice device, RemoteServer::RemoteOpening opening) const;
   void close_if_idle(RemoteDevice device, Proxy& proxy);
   void forget_server();
   void retire_all();

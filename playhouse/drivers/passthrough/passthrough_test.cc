@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <set>
@@ -115,6 +116,16 @@ TEST_F(Relay, what_clients_say_and_are_told_passes_byte_for_byte) {
   EXPECT_EQ(data[0].body, state);
   EXPECT_EQ(data[0].header.index, 0u);
   EXPECT_EQ(data[0].header.timestamp, 12.5);
+}
+
+TEST_F(Relay, the_server_of_a_section_may_have_an_address_of_ipv6) {
+  open_lab();
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\"] "
+                  "requires [\"[2001:db8::7]:7000:position2d:5\"] )"),
+            "");
+  EXPECT_EQ(drivers.front()->name(), "passthrough ([2001:db8::7]:7000)");
+  TestClient client(network_, kHere);
+  EXPECT_TRUE(is_open(client.ask(open())));
 }
 
 TEST_F(Relay, a_refusal_has_its_body) {
@@ -364,6 +375,50 @@ TEST_F(Relay, a_token_opens_the_other_server) {
   EXPECT_EQ(wheels.starts, 1);
 }
 
+/// Asks a property, or sets it.
+template <typename Request, typename Value>
+Bytes property(std::uint8_t subtype, const std::string& key, Value value) {
+  Request request;
+  request.key = wire::c_string(key);
+  request.value = value;
+  return message(MessageType::kReq, p2d::kCode, 0, subtype, wire::encode(request));
+}
+Bytes set_number(const std::string& key, std::int32_t value) {
+  return property<wire::IntpropReq>(wire::kReqSetIntprop, key, value);
+}
+Bytes set_host(const std::string& host) {
+  return property<wire::StrpropReq>(wire::kReqSetStrprop, "remote_host", wire::c_string(host));
+}
+
+/// Whoever sets the property would have read the token at a server of his own.
+TEST_F(Relay, a_token_goes_to_the_server_of_the_file_alone) {
+  open_lab();
+  std::vector<std::string> tokens;
+  const auto admit = [&](const std::string& token, const std::string&) {
+    tokens.push_back(token);
+    return std::optional<device::Rights>(device::Rights());
+  };
+  server::Server other(network_);
+  ASSERT_TRUE(other.listen(7001));
+  lab->admit_by(admit);
+  other.admit_by(admit);
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\"] "
+                  "requires [\"lab:7000:position2d:5\"] token \"a-driver-\" )"),
+            "");
+  TestClient client(network_, kHere);
+  EXPECT_EQ(client.ask(set_number("remote_port", 7001)).at(0).header.type, MessageType::kAck);
+  client.ask(open());
+  EXPECT_EQ(other.status().sessions_accepted, 1u);
+  EXPECT_EQ(std::ranges::count(tokens, "a-driver-"), 0);
+  EXPECT_EQ(client.ask(set_host("attic")).at(0).header.type, MessageType::kAck);
+  EXPECT_EQ(client.ask(set_number("remote_port", 7000)).at(0).header.type, MessageType::kAck);
+  client.ask(open());
+  EXPECT_EQ(std::ranges::count(tokens, "a-driver-"), 0) << "as another machine";
+  EXPECT_EQ(client.ask(set_host("lab")).at(0).header.type, MessageType::kAck);
+  client.ask(open());
+  EXPECT_EQ(std::ranges::count(tokens, "a-driver-"), 1) << "the file's own once more";
+}
+
 /// Each asked the other for ever, and so did every command.
 TEST_F(Relay, two_that_stand_for_each_other_are_not_opened) {
   ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\" \"laser:0\"] "
@@ -414,18 +469,6 @@ TEST_F(Relay, a_server_whose_name_is_long_is_named_in_part) {
             "");
 }
 
-/// Asks a property, or sets it.
-template <typename Request, typename Value>
-Bytes property(std::uint8_t subtype, const std::string& key, Value value) {
-  Request request;
-  request.key = wire::c_string(key);
-  request.value = value;
-  return message(MessageType::kReq, p2d::kCode, 0, subtype, wire::encode(request));
-}
-Bytes set_number(const std::string& key, std::int32_t value) {
-  return property<wire::IntpropReq>(wire::kReqSetIntprop, key, value);
-}
-
 TEST_F(Relay, properties_of_a_proxy_move_it_to_another_server) {
   open_lab();
   FakeDriver other_wheels;
@@ -457,12 +500,36 @@ TEST_F(Relay, properties_of_a_proxy_move_it_to_another_server) {
   EXPECT_EQ(client.ask(set_number("connect", 1)).at(0).header.type, MessageType::kAck);
   EXPECT_EQ(other_wheels.starts, 2);
 
-  const Bytes host = property<wire::StrpropReq>(wire::kReqSetStrprop, "remote_host", wire::c_string("attic"));
-  EXPECT_EQ(client.ask(host).at(0).header.type, MessageType::kAck);
+  EXPECT_EQ(client.ask(set_host("attic")).at(0).header.type, MessageType::kAck);
   const Bytes asked = property<wire::StrpropReq>(wire::kReqGetStrprop, "remote_host", std::string());
   EXPECT_EQ(wire::text(wire::decode<wire::StrpropReq>(client.ask(asked).at(0).body)->value), "attic");
   EXPECT_EQ(drivers.front()->name(), "passthrough (attic:7001)");
-  EXPECT_EQ(client.ask(set_number("remote_port", 70000)).at(0).header.type, MessageType::kNack);
+  for (const std::int32_t no_port : {70000, 0, -1})
+    EXPECT_EQ(client.ask(set_number("remote_port", no_port)).at(0).header.type, MessageType::kNack);
+}
+
+TEST_F(Relay, a_section_says_by_fields_what_its_device_stands_for) {
+  open_lab();
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\"] requires [\"position2d:0\"] "
+                  "remote_host \"lab\" remote_port 7000 remote_index 5 )"),
+            "");
+  EXPECT_EQ(drivers.front()->name(), "passthrough (lab:7000)");
+  TestClient client(network_, kHere);
+  EXPECT_TRUE(is_open(client.ask(open())));
+  EXPECT_EQ(wheels.starts, 1);
+}
+
+TEST_F(Relay, a_section_may_start_disconnected) {
+  open_lab();
+  ASSERT_EQ(build("driver( name \"passthrough\" provides [\"position2d:0\"] "
+                  "requires [\"lab:7000:position2d:5\"] connect 0 alwayson 1 )"),
+            "");
+  TestClient client(network_, kHere);
+  EXPECT_EQ(server::access_of(client.ask(open()).at(0)), 3);
+  network_.run_for(100);
+  EXPECT_EQ(lab->status().sessions_accepted, 0u);
+  EXPECT_EQ(client.ask(set_number("connect", 1)).at(0).header.type, MessageType::kAck);
+  EXPECT_TRUE(is_open(client.ask(open())));
 }
 
 /// A ring that nobody saw when its first devices were opened.
@@ -758,6 +825,13 @@ TEST_F(Relay, files_that_make_no_sense_are_told_what) {
             "for each");
   EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"localhost:6665:laser:0\"]"),
             "test.cfg:1: \"laser:0\" would stand for itself");
+  EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"lab:0:laser:0\"]"),
+            "test.cfg:1: \"lab:0:laser:0\" has an invalid port: 1 to 65535 is valid");
+  EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"lab:1:laser:0\"] remote_port 0"),
+            "test.cfg:1: remote_port is from 1 to 65535");
+  EXPECT_EQ(wrong("provides [\"laser:0\" \"laser:1\"] requires [\"a:1:laser:0\" \"a:1:laser:1\"] "
+                  "remote_index 3"),
+            "test.cfg:1: remote_index is of a section of one device");
   EXPECT_NE(wrong("provides [\"laser:0\"] requires [\"lab:6665:lasr:0\"]").find("(did you mean \"laser\"?)"),
             std::string::npos);
 }

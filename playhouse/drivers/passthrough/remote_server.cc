@@ -26,6 +26,14 @@ std::vector<std::byte> access_request(RemoteDevice device, std::uint16_t port, s
   return wire::encode(player::DeviceReq{{0, port, device.interf, device.index}, access, ""});
 }
 
+/// A refusal has the device, with access 3; without rights a request is not looked at.
+RemoteServer::RemoteOpening opening_of(bool ack, std::span<const std::byte> body) {
+  using RemoteOpening = RemoteServer::RemoteOpening;
+  const Result<player::DeviceReq> told = wire::decode<player::DeviceReq>(body);
+  if (ack && told && told->access == kOpen) return RemoteOpening::kOpen;
+  return !ack && body.empty() ? RemoteOpening::kNotAdmitted : RemoteOpening::kNotOpen;
+}
+
 }  // namespace
 
 std::string name_of_server(const std::string& host, std::uint16_t port) {
@@ -46,6 +54,11 @@ void RemoteServer::set_server(std::string host, std::uint16_t port) {
   name_ = name_of_server(host_, port_);
 }
 
+void RemoteServer::set_token(std::string token) {
+  token_ = std::move(token);
+  token_for_ = name_;
+}
+
 void RemoteServer::connect() {
   if (connection_ || attempt_) return;
   const auto connected = [this](Result<std::unique_ptr<net::Connection>> connection) {
@@ -60,8 +73,10 @@ void RemoteServer::made(Result<std::unique_ptr<net::Connection>> connection) {
   if (!connection) return fail(connection.error().text);
   connection_ = std::move(*connection);
   connection_->expect_alive();
-  patience_ = network_.after(net::kConnectSeconds,
-                             [this] { fail("sent no greeting, so it is not a Player server"); });
+  patience_ = network_.after(net::kConnectSeconds, [this] {
+    fail(may_speak_tls() ? "sent no greeting, so it is not a Player server, or speaks TLS"
+                         : "sent no greeting, so it is not a Player server");
+  });
   connection_->start(*this);
 }
 
@@ -110,7 +125,7 @@ bool RemoteServer::greet() {
   input_.erase(input_.begin(), input_.begin() + limits::kBannerBytes);
   patience_.reset();
   greeted_ = true;
-  if (!token_.empty()) authenticate();
+  if (has_token()) authenticate();
   request_of_server(player::kReqDatamode, wire::encode(player::DeviceDatamodeReq{kPush}), {});
   events_.connected();
   return true;
@@ -205,8 +220,7 @@ void RemoteServer::open(RemoteDevice device) {
   request_of_server(player::kReqDev, access_request(device, port_, kOpen),
                     [this, device](bool ack, std::span<const std::byte> body) {
                       if (!greeted_) return;
-                      const Result<player::DeviceReq> told = wire::decode<player::DeviceReq>(body);
-                      events_.opened(device, ack && told && told->access == kOpen);
+                      events_.opened(device, opening_of(ack, body));
                     });
 }
 

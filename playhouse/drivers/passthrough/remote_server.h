@@ -31,6 +31,9 @@ std::string name_of_server(const std::string& host, std::uint16_t port);
 
 class RemoteServer final : private net::ConnectionEvents {
  public:
+  /// `kNotAdmitted`: the server has refused to look at the request, as without a token that it knows.
+  enum class RemoteOpening : std::uint8_t { kOpen, kNotOpen, kNotAdmitted };
+
   class RemoteServerEvents {
    public:
     virtual ~RemoteServerEvents() = default;
@@ -43,7 +46,7 @@ class RemoteServer final : private net::ConnectionEvents {
     /// Called after data() for everything that arrived together.
     virtual void caught_up() = 0;
     /// The server's answer to open().
-    virtual void opened(RemoteDevice device, bool is_open) = 0;
+    virtual void opened(RemoteDevice device, RemoteOpening opening) = 0;
     /// The device was open and has retired.
     virtual void gone(RemoteDevice device) = 0;
   };
@@ -58,14 +61,19 @@ class RemoteServer final : private net::ConnectionEvents {
   /// As name_of_server().
   const std::string& name() const { return name_; }
   bool is_connected() const { return greeted_; }
+  /// True if it is connected in the clear, and nothing was heard from it: so does a server that waits for TLS.
+  bool may_speak_tls() const { return connection_ != nullptr && !greeted_ && trust_ == nullptr; }
   /// True if the server is one of this program, of any version. While connected.
   bool is_playhouse() const { return is_playhouse_; }
   const std::string& host() const { return host_; }
   std::uint16_t port() const { return port_; }
   /// Another server from now on. While disconnected.
   void set_server(std::string host, std::uint16_t port);
-  /// Authenticates with a guest's token (docs/guests.md). Before connect().
-  void set_token(std::string token) { token_ = std::move(token); }
+  /// Authenticates with a guest's token (docs/guests.md), at the present server alone: whoever sets another one
+  /// does not get it there. Before connect().
+  void set_token(std::string token);
+  /// True if the server is one to which the token goes.
+  bool has_token() const { return !token_.empty() && name_ == token_for_; }
   /// Speaks TLS, with servers that are trusted; null: in the clear. Before connect().
   void set_trust(std::shared_ptr<net::TlsTrust> trust) { trust_ = std::move(trust); }
 
@@ -113,7 +121,7 @@ class RemoteServer final : private net::ConnectionEvents {
   std::string host_;
   std::uint16_t port_;
   std::string name_;
-  std::string token_;  // empty: none
+  std::string token_, token_for_;  // empty: none; the name of its server
   std::shared_ptr<net::TlsTrust> trust_;
   RemoteServerEvents& events_;
 

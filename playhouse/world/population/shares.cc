@@ -9,11 +9,14 @@
 
 namespace playhouse::world {
 
-Result<void> Shares::check(const World& world, const std::string& peer) {
+Result<void> Shares::check(const World& world, const std::string& peer,
+                           std::span<const std::uint32_t> coming) {
   if (const auto found = shares_.find(peer); found != shares_.end()) {
     NodeTrees& share = found->second;
-    if (is_full(share.sum) && share.population != world.population()) forget_removed(world, share);
-    if (is_full(share.sum))
+    Amount more;
+    for (const std::uint32_t desc : coming) add_to(more, amount_of(world, desc));
+    if (is_too_much(share.sum, more) && share.population != world.population()) forget_removed(world, share);
+    if (is_too_much(share.sum, more))
       return Error{
           {},
           fmt::format("your share of the run is full: you brought {} models with {} sensors and {} beams",
@@ -39,11 +42,9 @@ void Shares::add(const World& world, const std::string& peer, ModelId root) {
     });
   }
   NodeTrees& share = shares_[peer];
-  const Amount amount = amount_of(world, row);
+  const Amount amount = amount_of(world, world.models.desc[row]);
   share.trees.push_back({root, amount});
-  share.sum.models += amount.models;
-  share.sum.sensors += amount.sensors;
-  share.sum.beams += amount.beams;
+  add_to(share.sum, amount);
   share.brings_left = brings_left(world, share) - static_cast<double>(amount.models);
   share.counted_at = world.time();
 }
@@ -54,30 +55,32 @@ double Shares::brings_left(const World& world, const NodeTrees& share) {
 }
 
 /// Of the tree as it is described.
-Shares::Amount Shares::amount_of(const World& world, ModelRow root) {
-  const std::uint32_t top = world.models.desc[root];
-  Amount amount{.models = scene::tree_size(world.scene(), top)};
+Shares::Amount Shares::amount_of(const World& world, std::uint32_t desc) {
+  Amount amount{.models = scene::tree_size(world.scene(), desc)};
   for (std::uint32_t part = 0; part < amount.models; ++part)
-    for (const scene::RangerSensorDesc& sensor : world.scene().models[top + part].sensors) {
+    for (const scene::RangerSensorDesc& sensor : world.scene().models[desc + part].sensors) {
       ++amount.sensors;
       amount.beams += sensor.samples;
     }
   return amount;
 }
 
-bool Shares::is_full(const Amount& amount) {
-  return amount.models >= limits::kBroughtByOneModels || amount.sensors >= limits::kBroughtByOneSensors ||
-         amount.beams >= limits::kBroughtByOneBeams;
+void Shares::add_to(Amount& sum, const Amount& amount) {
+  sum.models += amount.models;
+  sum.sensors += amount.sensors;
+  sum.beams += amount.beams;
+}
+
+bool Shares::is_too_much(const Amount& share, const Amount& coming) {
+  return share.models + coming.models > limits::kBroughtByOneModels ||
+         share.sensors + coming.sensors > limits::kBroughtByOneSensors ||
+         share.beams + coming.beams > limits::kBroughtByOneBeams;
 }
 
 void Shares::forget_removed(const World& world, NodeTrees& share) {
   std::erase_if(share.trees, [&](const Tree& tree) { return !world.row(tree.root); });
   share.sum = {};
-  for (const Tree& tree : share.trees) {
-    share.sum.models += tree.amount.models;
-    share.sum.sensors += tree.amount.sensors;
-    share.sum.beams += tree.amount.beams;
-  }
+  for (const Tree& tree : share.trees) add_to(share.sum, tree.amount);
   share.population = world.population();
 }
 

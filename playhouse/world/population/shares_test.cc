@@ -39,8 +39,11 @@ class SharesTest : public ::testing::Test {
     scene_ = scene_of_shares(sensors, samples);
     world_ = std::make_unique<World>(scene_, 1);
   }
+  Result<void> check(const std::string& peer, std::size_t trees = 1) {
+    return shares_.check(*world_, peer, std::vector<std::uint32_t>(trees, kTree));
+  }
   bool bring(const std::string& peer) {
-    if (!shares_.check(*world_, peer)) return false;
+    if (!check(peer)) return false;
     const Result<ModelId> came = spawn(*world_, kTree, {}, "n" + std::to_string(number_++));
     EXPECT_TRUE(came);
     shares_.add(*world_, peer, *came);
@@ -63,13 +66,21 @@ class SharesTest : public ::testing::Test {
 TEST_F(SharesTest, of_a_peer_are_so_many_models_and_others_have_theirs) {
   open();
   EXPECT_EQ(bring_all("a"), limits::kBroughtByOneModels / 2);
-  EXPECT_EQ(shares_.check(*world_, "a").error().text,
+  EXPECT_EQ(check("a").error().text,
             "your share of the run is full: you brought 4096 models with 2048 sensors and 2048 beams");
   EXPECT_EQ(bring_all("b"), limits::kBroughtByOneModels / 2);
   EXPECT_EQ(bring_all("c"), limits::kBroughtByOneModels / 2);
   EXPECT_EQ(bring_all("d"), limits::kBroughtByOneModels / 2);
-  EXPECT_EQ(shares_.check(*world_, "e").error().text,
-            "the run is full: 16384 models with 8192 sensors and 8192 beams came");
+  EXPECT_EQ(check("e").error().text, "the run is full: 16384 models with 8192 sensors and 8192 beams came");
+}
+
+/// A tree that began within the share ended beyond it.
+TEST_F(SharesTest, have_room_for_whole_trees_alone) {
+  open();
+  ASSERT_TRUE(bring("a"));
+  EXPECT_TRUE(check("a", limits::kBroughtByOneModels / 2 - 1));
+  EXPECT_EQ(check("a", limits::kBroughtByOneModels / 2).error().text,
+            "your share of the run is full: you brought 2 models with 1 sensors and 1 beams");
 }
 
 TEST_F(SharesTest, are_bounded_in_sensors_and_in_beams) {
@@ -99,7 +110,7 @@ TEST_F(SharesTest, come_no_faster_than_one_may_bring_and_go_on_with_the_time_of_
     return count;
   };
   EXPECT_EQ(bring_and_remove("a"), 8192u) << "16384 models at once";
-  EXPECT_EQ(shares_.check(*world_, "a").error().text,
+  EXPECT_EQ(check("a").error().text,
             "you bring too much at a time: 1000 models a second of the run, after 16384 at once");
   EXPECT_TRUE(bring("b"));
   const double before = world_->time();

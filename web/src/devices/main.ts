@@ -7,6 +7,7 @@ const kRetryMs = 1000;
 
 interface ServerStatus {
   ports: number[];
+  drives: boolean; // whether this page may
   clients: { peer: string; port: number; devices: string[] }[];
   recording?: { file: string; messages: number; bytes: number };
 }
@@ -22,6 +23,7 @@ class DevicesPage {
   private readonly watched = new Map<string, Watched>();
   private port = 0; // 0: the default one
   private ports: number[] = [];
+  private drives = true; // of an observer's page: false
 
   constructor() {
     byId('bar').append(el('span', { class: 'brand' }, this.state, 'Playhouse', this.banner), this.portMenu);
@@ -55,9 +57,9 @@ class DevicesPage {
       this.state.dataset.state = 'live';
       byId('notice').hidden = true;
       setText(this.banner, client.banner.replace(/^Player v\./, ''));
+      await this.lookAtServer();
       await this.list();
       await this.reopen();
-      void this.lookAtServer();
       for (;;) await client.read(Infinity);
     } finally {
       this.client = null;
@@ -103,7 +105,7 @@ class DevicesPage {
 
   private async watch(entry: DeviceEntry): Promise<void> {
     if (!this.client) return;
-    const watched = new Watched(entry, this.client, () => {
+    const watched = new Watched(entry, this.client, this.drives, () => {
       const button = byId('list').querySelector<HTMLElement>(`[data-device="${CSS.escape(entry.name)}"]`);
       if (button) void this.toggle(entry, button);
     });
@@ -129,6 +131,7 @@ class DevicesPage {
     const answer = await fetch(`status.json${query}`).catch(() => null);
     if (!answer?.ok) return;
     const status = (await answer.json()) as ServerStatus;
+    this.drives = status.drives;
     this.showPorts(status.ports);
     const clients = status.clients.map(({ peer, devices }) =>
       el('p', {}, peer, el('small', { title: devices.join(', ') }, devices.length === 1 ? devices[0] : `${devices.length} devices`)));

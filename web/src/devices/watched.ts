@@ -19,6 +19,7 @@ export class Watched {
   constructor(
     private readonly entry: DeviceEntry,
     private readonly client: Client,
+    private readonly drives: boolean, // whether the page may
     closed: () => void,
   ) {
     const close = el('button', { title: 'Stop watching', 'aria-label': 'Close' }, icon('close'));
@@ -33,10 +34,7 @@ export class Watched {
       this.device = device;
       this.panel = panelOf(device);
       this.card.append(...this.panel.nodes);
-      if (this.entry.interface === 'position2d') {
-        this.driving = new Driving(this.client, this.entry.index, (error) => this.tell(error));
-        this.card.append(...this.driving.nodes);
-      }
+      if (this.entry.interface === 'position2d') this.offerDriving();
       device.onData((message, value) => {
         this.due.set(message.subtype, [message, value]);
         this.arrivals.push(performance.now());
@@ -44,6 +42,15 @@ export class Watched {
     } catch (error) {
       this.tell(error);
     }
+  }
+
+  private offerDriving(): void {
+    if (!this.drives) {
+      this.card.append(el('p', { class: 'soft', 'data-testid': 'observes' }, 'You observe: driving takes the link of a driver.'));
+      return;
+    }
+    this.driving = new Driving(this.client, this.entry.index, (error) => this.tell(error));
+    this.card.append(...this.driving.nodes);
   }
 
   /** Draws what has arrived; called for each picture of the page. */
