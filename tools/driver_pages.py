@@ -17,10 +17,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = os.environ.get("PLAYHOUSE_PROGRAM", str(ROOT / "build" / "playhouse"))
 FOLDER = ROOT / "docs" / "drivers"
 NOTE = "<!-- Made by tools/driver_pages.py of what `playhouse drivers --json` prints. Do not edit. -->\n"
-EVERY = ("Every section has `name` and `provides`, and may have `requires` and `alwayson` ([configuration.md](../configuration.md)).")
+EVERY = "Every section has `name` and `provides`, and may have `requires` and `alwayson` ([configuration.md](../configuration.md))."
+OF_EMULATORS = "A section has `name` and `requires` ([configuration.md](../configuration.md)), and `playhouse emulate` writes it ([hardware.md](../hardware.md))."
 INTERFACES = {path.stem.split("_", 1)[1]: path.stem for path in (ROOT / "interfaces").glob("[0-9]*_*.toml")}
-# Headings of docs/drivers.md, which say what the drivers do.
+# Headings that say what the drivers do.
 HEADINGS = set(re.findall(r'^## driver "(\w+)"$', (ROOT / "docs" / "drivers.md").read_text(), re.MULTILINE))
+HARDWARE = set(re.findall(r"^## (\w+)$", (ROOT / "docs" / "hardware.md").read_text(), re.MULTILINE))
 
 Entry = Dict[str, Any]
 
@@ -63,9 +65,11 @@ def page_of(driver: Entry) -> str:
         lines += [f"`{driver['other_name']}` is the same driver.", ""]
     if name in HEADINGS:
         lines += [f"[drivers.md](../drivers.md#driver-{name}) says what it does.", ""]
+    if name.removesuffix("_emulator") in HARDWARE:
+        lines += [f"[hardware.md](../hardware.md#{name.removesuffix('_emulator')}) says what it does, and what it was tested against.", ""]
     devices = devices_of(driver, "provides") + devices_of(driver, "requires")
     lines += ["## Devices", "", *table(["", "interface", "key", "how many", ""], devices)]
-    lines += ["## Options", "", EVERY, ""]
+    lines += ["## Options", "", EVERY if driver["provides"] else OF_EMULATORS, ""]
     if driver["options"]:
         lines += table(["option", "value", "unit", "default", "limits", "meaning"], map(option_row, driver["options"]))
     if driver["properties"]:

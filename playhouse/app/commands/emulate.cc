@@ -89,42 +89,56 @@ Result<client::Robot> find_robot(client::Client& client, const std::string& name
   return robots->front();
 }
 
+/// The robot, and those of its devices that the emulator may use. The connection is closed again.
+struct FoundRobot {
+  std::string name;
+  std::vector<std::string> devices;
+};
+Result<FoundRobot> look_for(const EmulateOptions& options, const NamedServer& server,
+                            const drivers::DriverDefinition& emulator) {
+  Result<client::Client> client =
+      client::Client::connect(server.address.host, server.address.port, {.token = options.token});
+  if (!client) return server.explain(client.error());
+  const Result<client::Robot> robot = find_robot(*client, options.robot);
+  if (!robot) return robot.error();
+  FoundRobot found{robot->name(), devices_for(emulator, *robot)};
+  if (!found.devices.empty()) return found;
+  return Error{
+      in_quotes(found.name),
+      fmt::format("has no device for this: playhouse drivers {} lists those that it uses", emulator.name)};
+}
+
+/// Relays the devices, and runs the emulator over them.
+int run_sections(const std::string& text, const std::string& told) {
+  config::MemoryFiles none({});
+  const Result<config::CfgFile> file = config::load_cfg_text(text, kSections, none);
+  if (!file) return fail(file.error(), kUsage);
+  device_server::DeviceServer service({});
+  service.open_site(client::kDefaultPort, service.server());
+  const Result<void> made = service.make_drivers(drivers::all_drivers(), *file, warn);
+  if (!made) return fail(made.error(), kUsage);
+  fmt::print("{}\n", told);
+  std::fflush(stdout);
+  return service.run();
+}
+
 }  // namespace
 
 int emulate(const EmulateOptions& options) {
   const Result<const drivers::DriverDefinition*> emulator = find_emulator(options.hardware);
   if (!emulator) return fail(emulator.error(), kUsage);
-  const Result<client::Address> server = reach_server(options.server);
+  const Result<NamedServer> server = reach_server(options.server);
   if (!server) return fail(server.error(), kUsage);
-  std::vector<std::string> devices;
-  std::string robot_name;
-  {
-    Result<client::Client> client =
-        client::Client::connect(server->host, server->port, {.token = options.token});
-    if (!client) return fail(client.error());
-    const Result<client::Robot> robot = find_robot(*client, options.robot);
-    if (!robot) return fail(robot.error());
-    devices = devices_for(**emulator, *robot);
-    robot_name = robot->name();
-  }
-  if (devices.empty())
-    return fail({in_quotes(robot_name), "has no device for this: playhouse drivers " +
-                                            std::string((*emulator)->name) + " lists those that it uses"});
-  const Result<std::string> text = sections(options, *server, devices, std::string((*emulator)->name));
+  const Result<FoundRobot> robot = look_for(options, *server, **emulator);
+  if (!robot) return fail(robot.error());
+  const Result<std::string> text =
+      sections(options, server->address, robot->devices, std::string((*emulator)->name));
   if (!text) return fail(text.error(), kUsage);
-  config::MemoryFiles none({});
-  const Result<config::CfgFile> file = config::load_cfg_text(*text, kSections, none);
-  if (!file) return fail(file.error(), kUsage);
-  device_server::DeviceServer service({});
-  service.open_site(client::kDefaultPort, service.server());
-  const Result<void> made =
-      service.make_drivers(drivers::all_drivers(), *file, [](const std::string& line) { warn(line); });
-  if (!made) return fail(made.error(), kUsage);
-  fmt::print("{} at {}: {} of {} at {}:{}\n", options.hardware,
-             options.port.empty() ? fmt::format("127.0.0.1:{}", options.tcp_port) : options.port,
-             fmt::join(devices, ", "), in_quotes(robot_name), server->host, server->port);
-  std::fflush(stdout);
-  return service.run();
+  const std::string place =
+      options.port.empty() ? fmt::format("127.0.0.1:{}", options.tcp_port) : options.port;
+  return run_sections(*text, fmt::format("{} at {}: {} of {} at {}:{}", options.hardware, place,
+                                         fmt::join(robot->devices, ", "), in_quotes(robot->name),
+                                         server->address.host, server->address.port));
 }
 
 }  // namespace playhouse::app
