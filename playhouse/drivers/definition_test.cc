@@ -119,6 +119,7 @@ std::string value_of(const std::vector<Option>& all, const Option& option) {
   static const std::map<std::string, std::string> kValues = {
       {"worldfile", "\"some.world\""}, {"model", "\"r0\""},
       {"token", "\"guest\""},          {"resolution", "0.5"},
+      {"remote_host", "\"attic\""},    {"remote_port", "7000"},
       {"origin", "[1 2 3]"},           {"filename", '"' + image_of_two_pixels() + '"'}};
   if (!option.otherwise.empty()) return option.otherwise;
   if (const auto found = kValues.find(option.name); found != kValues.end()) return found->second;

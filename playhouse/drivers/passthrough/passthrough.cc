@@ -588,7 +588,8 @@ struct PassthroughOptions {
   std::string tls_ca;  // file; empty: in the clear
   // In place of what `requires` says, where the section has them.
   std::string remote_host;
-  std::uint16_t remote_port, remote_index;
+  std::uint16_t remote_port;
+  std::vector<int> remote_indices;
 };
 
 Result<PassthroughOptions> passthrough_options(SectionFields fields) {
@@ -596,19 +597,21 @@ Result<PassthroughOptions> passthrough_options(SectionFields fields) {
       {kHost, "The other server's machine, in place of that of requires.", {}, "that of requires"});
   const int port = fields.integer({kPort, "Its port, in place of that of requires.", {}, "that of requires"},
                                   kPlayerPort, 1, kLargestNumber);
-  const int index = fields.integer(
-      {kIndex, "Index of the device there, of a section of one device.", {}, "that of requires"}, 0, 0,
-      kLargestNumber);
+  const std::vector<int> indices = fields.integers(
+      {kIndex, "Indices of the devices there, one for each, in place of those of requires; none: those."});
+  const auto is_index = [](int index) { return index >= 0 && index <= kLargestNumber; };
+  fields.expect(std::ranges::all_of(indices, is_index), kIndex,
+                fmt::format("is from 0 to {}", kLargestNumber));
   const bool connects =
       fields.flag({kConnect, "0: disconnected until a client sets the property of that name to 1."}, true);
   const bool waits = fields.flag(
       {"reconnect", "0: the devices retire when the connection is lost, instead of waiting for the server."},
       true);
-  std::string token =
-      fields.text({"token",
-                   "That of a guest, for a server with --guests; sent to the server of the file alone.",
-                   {},
-                   "none"});
+  std::string token = fields.text(
+      {"token",
+       "That of a guest, for a server with --guests or --key; sent to the server of the file alone.",
+       {},
+       "none"});
   fields.expect(token.size() <= wire::kAuthKeyBytes, "token",
                 fmt::format("has {} letters at most", wire::kAuthKeyBytes));
   std::string tls_ca = fields.filename(
@@ -620,7 +623,7 @@ Result<PassthroughOptions> passthrough_options(SectionFields fields) {
                             std::move(tls_ca),
                             host,
                             static_cast<std::uint16_t>(port),
-                            static_cast<std::uint16_t>(index)};
+                            indices};
 }
 
 Result<std::shared_ptr<net::TlsTrust>> read_trust(const config::CfgSection& section,
@@ -656,10 +659,11 @@ bool is_this_machine(const std::string& host) {
 std::vector<config::DeviceAddress> required_devices(const config::CfgSection& section,
                                                     const PassthroughOptions& options) {
   std::vector<config::DeviceAddress> required = section.addresses("requires");
-  for (config::DeviceAddress& address : required) {
-    if (!options.remote_host.empty()) address.host = options.remote_host;
-    if (section.has(kPort)) address.port = options.remote_port;
-    if (section.has(kIndex)) address.index = options.remote_index;
+  for (std::size_t i = 0; i < required.size(); ++i) {
+    if (!options.remote_host.empty()) required[i].host = options.remote_host;
+    if (section.has(kPort)) required[i].port = options.remote_port;
+    if (i < options.remote_indices.size())
+      required[i].index = static_cast<std::uint16_t>(options.remote_indices[i]);
   }
   return required;
 }
@@ -676,8 +680,10 @@ Result<Section> read_section(const config::CfgSection& section, const Passthroug
   if (required.size() != provided.size())
     return Error{where, fmt::format("{} devices are provided and {} required: each stands for one",
                                     provided.size(), required.size())};
-  if (section.has(kIndex) && required.size() > 1)
-    return Error{section.at(kIndex), fmt::format("{} is of a section of one device", kIndex)};
+  if (const std::size_t indices = options.remote_indices.size(); indices > 0 && indices != required.size())
+    return Error{section.at(kIndex),
+                 fmt::format("{} devices are required and {} indices given: one is of each", required.size(),
+                             indices)};
   Section read;
   for (std::size_t i = 0; i < required.size(); ++i) {
     const Result<device::Address> here = site.resolve(provided[i]);

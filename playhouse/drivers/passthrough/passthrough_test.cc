@@ -827,11 +827,13 @@ TEST_F(Relay, files_that_make_no_sense_are_told_what) {
             "test.cfg:1: \"laser:0\" would stand for itself");
   EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"lab:0:laser:0\"]"),
             "test.cfg:1: \"lab:0:laser:0\" has an invalid port: 1 to 65535 is valid");
+  EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"lab:1:laser:0\"] remote_index 65536"),
+            "test.cfg:1: remote_index is from 0 to 65535");
   EXPECT_EQ(wrong("provides [\"laser:0\"] requires [\"lab:1:laser:0\"] remote_port 0"),
             "test.cfg:1: remote_port is from 1 to 65535");
   EXPECT_EQ(wrong("provides [\"laser:0\" \"laser:1\"] requires [\"a:1:laser:0\" \"a:1:laser:1\"] "
                   "remote_index 3"),
-            "test.cfg:1: remote_index is of a section of one device");
+            "test.cfg:1: 2 devices are required and 1 indices given: one is of each");
   EXPECT_NE(wrong("provides [\"laser:0\"] requires [\"lab:6665:lasr:0\"]").find("(did you mean \"laser\"?)"),
             std::string::npos);
 }
