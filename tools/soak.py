@@ -88,11 +88,11 @@ def hold(soak: Soak, seconds: float) -> list:
 
 
 def grown(minutes: list) -> list:
-    """What the server keeps more of at the end than once it was warm: of memory a hundredth is allowed, of the rest what
-    a minute's strangers and renewed sessions may have open."""
+    """What the server keeps more of at the end than once it was warm: of memory a twentieth is allowed, as a reader's queue keeps
+    the room that its longest wait took, and of descriptors what renewed sessions may have open."""
     warm = [minute for minute in minutes if minute["s"] >= WARM] or minutes
     first, last = warm[0], warm[-1]
-    room = {"kb": first["kb"] // 100, "descriptors": 2 * RENEWED, "threads": 0}
+    room = {"kb": first["kb"] // 20, "descriptors": 2 * RENEWED, "threads": 0}
     return [name for name, allowed in room.items() if last[name] > first[name] + allowed]
 
 
