@@ -3,6 +3,7 @@ server: clients/c/playerc/tests."""
 
 import csv
 import json
+import re
 import shutil
 import subprocess
 import tempfile
@@ -14,6 +15,11 @@ from installed import tool
 
 PROGRAMS = ROOT / "clients" / "c" / "playerc" / "tests"
 OLD = ("-std=gnu89", "-Wall", "-Wextra", "-Werror")
+
+# What printing.cc prints of each proxy: the word after the first number, or the first word.
+PRINTED = re.compile(r"(?:[\d.]+ )?([\w%]+)")
+WORDS = ("joints|voltages|audio|blackboard|blobs|bumpers|x|message|inputs|fiducials|latitude|graphics2d|graphics3d|state|%|pose|ranges|ranges|at|axes|"
+         "hypotheses|reads|x|bytes|at|points|at|at|at|V|pan|ranges|tags|simulation|ranges|speech|words|x|layers|links|node")
 
 
 class OldPrograms(HouseTest):
@@ -90,6 +96,15 @@ class OldPrograms(HouseTest):
         self.assertEqual([p[:2] for p in drawn[1]["points"]], outline)
         self.assertEqual(drawn[2]["points"], [[0, 0, 0.5], [0, 0, 1.5]])
 
+    def test_values_of_a_blackboard_are_set_by_their_type(self):
+        with House("serve", ROOT / "worlds" / "board.cfg", "--port", 0, "--headless") as house:
+            self.assertEqual(tool(self.build("texts"), house.port()), "111\n")
+
+    def test_a_robot_is_told_where_it_is_with_three_variances_or_six(self):
+        with House("serve", ROOT / "worlds" / "navigate.cfg", "--port", 0, "--headless") as house:
+            said = tool(self.build("place"), house.port())
+        self.assertEqual(said, "x -5.0 y -4.5 variance 0.01, map 0\nsix 0\n")
+
     def test_several_servers_are_read_together(self):
         with self.run_house("--speed", 10) as one, self.run_house("--speed", 10) as other:
             said = tool(self.build("several"), one.port(), other.port()).splitlines()
@@ -126,6 +141,16 @@ class OldPrograms(HouseTest):
                                 "eyes 64x48 9216 1", "cloud 1", "camera 0", "laser -1.5 1.5 0.5 0.01 1 25", "mote 1 1",
                                 "WiFiProxy::GetLink()(-1): there is no such link"])
 
+    def test_every_proxy_in_cpp_is_printed_and_a_program_may_have_its_own(self):
+        with House("serve", ROOT / "worlds" / "dummy.cfg", "--port", 0, "--headless") as house:
+            program = subprocess.run([self.build_cpp("printing"), str(house.port())], capture_output=True, text=True, timeout=60)
+        said = program.stdout.splitlines()
+        self.assertEqual(said[:3], ["1 2, 1 2 3, 1 2 3, 1 2 3 4 5 6", "1 2, 1 2 3, 1 2 to 3 4, 1 2 to 3 4", "power:0 (dummy)"])
+        self.assertEqual([PRINTED.match(line).group(1) for line in said[3:-5]], WORDS.split("|"))
+        self.assertEqual(said[-5:], ["before data 0 0", "after it 0 0", "RangerProxy(-1): there is no element 999 of 181 of ranger",
+                                     "late 0 1 1 1", "own 3 1 120"])
+        self.assertRegex(program.stderr, r"\AClientProxy: there is no element 99 of \d of ir: zeros\n\Z")
+
     def test_functions_that_are_connected_are_called_after_data_until_they_are_not(self):
         with House("serve", ROOT / "worlds" / "dummy.cfg", "--port", 0, "--headless") as house:
             program = subprocess.Popen([self.build_cpp("signals"), str(house.port())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
@@ -145,7 +170,7 @@ class OldPrograms(HouseTest):
         self.assertEqual(said[0], f"localhost:{house.port()}")
         self.assertRegex(said[1], r"^at 1\.\d+ 0 0, speed 0\.\d+ 0 0$")
         self.assertEqual(said[2:5], ["181 181 2 ranges", "where it is: as its odometry says", "-1 0.3 1.5708"])
-        self.assertRegex(said[5], r"^ClientProxy\(-1\): there is no element 181 of 181 of laser$")
+        self.assertRegex(said[5], r"^RangerProxy\(-1\): there is no element 181 of 181 of ranger$")
         self.assertRegex(said[6], r"^ClientProxy\(-1\): .*there is no sonar:9$")
 
     def test_a_new_program_links_the_shared_library_by_pkg_config(self):
@@ -156,6 +181,11 @@ class OldPrograms(HouseTest):
         self.assertIn("127.0.0.1:65536", said.stderr, "it is loaded and refuses the port")
         needed = tool("readelf", "-d", self.folder / "square")
         self.assertRegex(needed, r"libplayhouse_c\.so\.\d+\.\d+\]")
+
+    def test_the_parts_of_the_header_in_cpp_are_included_alone(self):
+        for part in ("playererror", "playerclient", "clientproxy", "utility", "playerc++config"):
+            source = self.write("part.cc", f"#include <libplayerc++/{part}.h>\nint main() {{ return 0; }}\n")
+            tool("c++", "-std=c++11", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *self.flags("--cflags", package="playerc++"), source)
 
     def test_the_headers_are_of_cpp_as_well_and_clash_with_none_of_ours(self):
         source = self.write("both.cc", "#include <libplayerc/playerc.h>\n#include <playhouse/c.h>\n"

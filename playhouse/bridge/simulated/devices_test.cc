@@ -560,6 +560,12 @@ TEST_F(SimulationInterface, properties_are_colour_time_name_and_model) {
                        sim::PropertyReq{wire::c_string("r0"), wire::c_string("color"), 0, green})
                   .ack);
   EXPECT_EQ(get("color"), green);
+  const std::string black(16, '\0');
+  EXPECT_TRUE(ask_with(sim::kReqSetProperty,
+                       sim::PropertyReq{wire::c_string("r0"), wire::c_string("_mp_color"), 0, black})
+                  .ack)
+      << "its name in Stage 3 and in manuals";
+  EXPECT_EQ(get("_mp_color"), black);
   still_.run(2);
   std::uint64_t microseconds = 0;
   const std::string time = get("time");

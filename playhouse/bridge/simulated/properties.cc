@@ -22,6 +22,10 @@ std::string raw(const T& value) {
   return bytes;
 }
 
+bool is_color(std::string_view property) {
+  return property == "color" || property == "_mp_color";
+}
+
 }  // namespace
 
 std::optional<std::string> get_property(const world::World& world, std::string_view model,
@@ -32,7 +36,7 @@ std::optional<std::string> get_property(const world::World& world, std::string_v
   if (property == "time") return raw(static_cast<std::uint64_t>(std::llround(world.time() * 1e6)));
   const world::ModelRow row = world.find(model);
   if (!row) return std::nullopt;
-  if (property == "color") {
+  if (is_color(property)) {
     const scene::Color& color = world.models.color[row];
     return raw(std::array<float, 4>{color.r, color.g, color.b, color.a});
   }
@@ -44,7 +48,7 @@ std::optional<std::string> get_property(const world::World& world, std::string_v
 bool set_property(world::Journal& journal, std::string_view model, std::string_view property,
                   std::string_view value) {
   std::array<float, 4> rgba{};
-  if (property != "color" || value.size() != sizeof(rgba)) return false;
+  if (!is_color(property) || value.size() != sizeof(rgba)) return false;
   const world::World& world = journal.world();
   const world::ModelRow row = world.find(model);
   if (!row) return false;

@@ -13,7 +13,8 @@
 namespace playhouse::drivers {
 
 /// The value of a property, as bytes; none if the property or model does not exist.
-///   "color"          four float32: red, green, blue, alpha in 0..1
+///   "color"          four float32: red, green, blue, alpha in 0..1; "_mp_color" is the same, as programs for Stage 3
+///                    and the manual of Player have it
 ///   "time"           uint64: simulated time [us]; `model` is ignored
 ///   without a model: "build", NUL-terminated text: version and commit of the program (base/version.h);
 ///   "wire_format", "robot_format", uint32: formats::kWireExtensions and kRobots

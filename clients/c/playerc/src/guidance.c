@@ -25,10 +25,16 @@ static void release_localize(playerc_localize_t *device) {
 
 PLAYERC_PROXY(localize, PLAYER_LOCALIZE_CODE, put_localize, release_localize)
 
-int playerc_localize_set_pose(playerc_localize_t *device, double pose[3], double cov[6]) {
+int playerc_localize_set_pose_of(playerc_localize_t *device, const double pose[3], const double *cov,
+                                 size_t cov_count) {
   player_localize_set_pose_t wanted = {.mean = {pose[0], pose[1], pose[2]}};
-  memcpy(wanted.cov, cov, sizeof wanted.cov);
+  memcpy(wanted.cov, cov, cov_count * sizeof *cov);
   return playerc_tell(&device->info, PLAYER_LOCALIZE_REQ_SET_POSE, &wanted);
+}
+
+/** For programs that are built already, and those that take its address. */
+int(playerc_localize_set_pose)(playerc_localize_t *device, double pose[3], double cov[6]) {
+  return playerc_localize_set_pose_of(device, pose, cov, 6);
 }
 
 int playerc_localize_get_particles(playerc_localize_t *device) {

@@ -1,5 +1,6 @@
 /** Messages and texts: opaque, blackboard, speech, speech_recognition. */
 #include <string.h>
+#include <time.h>
 
 #include "inside.h"
 
@@ -87,6 +88,37 @@ int playerc_blackboard_unsubscribe_from_group(playerc_blackboard_t *device, cons
 
 int playerc_blackboard_set_entry(playerc_blackboard_t *device, player_blackboard_entry_t *entry) {
   return playerc_tell(&device->info, PLAYER_BLACKBOARD_REQ_SET_ENTRY, entry);
+}
+
+static int set_simple(playerc_blackboard_t *device, const char *key, const char *group, uint16_t subtype,
+                      const void *value, size_t size) {
+  player_blackboard_entry_t entry = {.key_count = playerc_text_count(key),
+                                     .key = playerc_text(key),
+                                     .group_count = playerc_text_count(group),
+                                     .group = playerc_text(group),
+                                     .type = PLAYERC_BLACKBOARD_DATA_TYPE_SIMPLE,
+                                     .subtype = subtype,
+                                     .data_count = (uint32_t)size,
+                                     .data = (uint8_t *)(uintptr_t)value};
+  struct timespec now = {0};
+  timespec_get(&now, TIME_UTC);
+  entry.timestamp_sec = (uint32_t)now.tv_sec;
+  entry.timestamp_usec = (uint32_t)(now.tv_nsec / 1000);
+  return playerc_blackboard_set_entry(device, &entry);
+}
+
+int playerc_blackboard_set_string(playerc_blackboard_t *device, const char *key, const char *group,
+                                  const char *value) {
+  return set_simple(device, key, group, PLAYERC_BLACKBOARD_DATA_SUBTYPE_STRING, value, strlen(value) + 1);
+}
+
+int playerc_blackboard_set_int(playerc_blackboard_t *device, const char *key, const char *group, int value) {
+  return set_simple(device, key, group, PLAYERC_BLACKBOARD_DATA_SUBTYPE_INT, &value, sizeof value);
+}
+
+int playerc_blackboard_set_double(playerc_blackboard_t *device, const char *key, const char *group,
+                                  double value) {
+  return set_simple(device, key, group, PLAYERC_BLACKBOARD_DATA_SUBTYPE_DOUBLE, &value, sizeof value);
 }
 
 // --- speech

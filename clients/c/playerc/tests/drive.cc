@@ -28,7 +28,7 @@ int main(int argc, char *argv[]) {
             << std::endl;
   std::cout << sp[99] << " " << limit(0.9, 0.1, 0.3) << " " << dtor(90) << std::endl;
   try {
-    lp.GetRange(181);
+    rp.GetRange(181);
   } catch (PlayerError &e) {
     std::cout << e << std::endl;
   }

@@ -100,7 +100,6 @@ class WSNProxy : public PLAYERCC_BASE(wsn) {
   }
 };
 
-/** Positions and signal strengths that it reports are members of the C proxy. */
 class CoopObjectProxy : public PLAYERCC_BASE(coopobject) {
  public:
   CoopObjectProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex), id_(aIndex) {}
@@ -124,8 +123,29 @@ class CoopObjectProxy : public PLAYERCC_BASE(coopobject) {
   uint32_t GetUserDataNumber() const { return GetVar(mDevice->user_data_count); }
   /** Valid until the next data, as the parameters of commands and requests. */
   uint8_t *GetAllUserData() const { return GetVar(mDevice->user_data); }
+  uint8_t GetUserData(uint32_t index) const {
+    return Byte(mDevice->user_data, mDevice->user_data_count, index);
+  }
   uint8_t *GetAllParameters() const { return GetVar(mDevice->parameters); }
+  uint32_t GetParametersSize() const { return GetVar(mDevice->parameters_count); }
+  uint8_t GetParameter(uint32_t index) const {
+    return Byte(mDevice->parameters, mDevice->parameters_count, index);
+  }
   uint32_t GetCommand() const { return GetVar(mDevice->command); }
+  uint32_t GetRequest() const { return GetVar(mDevice->request); }
+  /** Of the last message about a signal. */
+  uint16_t GetRSSIsenderId() const { return GetVar(mDevice->RSSIsender); }
+  uint16_t GetRSSIvalue() const { return GetVar(mDevice->RSSIvalue); }
+  uint16_t GetRSSIstamp() const { return GetVar(mDevice->RSSIstamp); }
+  double GetRSSInodeTime() const {
+    scoped_lock_t lock(mPc->mMutex);
+    return mDevice->RSSInodeTimeHigh + 1e-6 * mDevice->RSSInodeTimeLow;
+  }
+  /** Of the last message about a position (m). */
+  float GetX() const { return GetVar(mDevice->x); }
+  float GetY() const { return GetVar(mDevice->y); }
+  float GetZ() const { return GetVar(mDevice->z); }
+  uint8_t GetStatus() const { return GetVar(mDevice->status); }
   /** The source is the node of this proxy, as in the original. */
   void SendData(int nodeID, int, player_pose2d_t pos, int status) {
     PLAYERCC_DO(playerc_coopobject_send_position, mDevice, static_cast<uint16_t>(nodeID),
@@ -154,7 +174,28 @@ class CoopObjectProxy : public PLAYERCC_BASE(coopobject) {
     return GetElement<player_coopobject_sensor_t>(mDevice->alarm_data, mDevice->alarm_data_count, index);
   }
 
+  /** 255 if there is none of that number, as in the original. */
+  uint8_t Byte(uint8_t *const &bytes, const uint32_t &count, uint32_t index) const {
+    scoped_lock_t lock(mPc->mMutex);
+    return index < count ? bytes[index] : static_cast<uint8_t>(0xFF);
+  }
+
   uint32_t id_;
+};
+
+class LinuxjoystickProxy : public PLAYERCC_BASE(joystick) {
+ public:
+  LinuxjoystickProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
+
+  /** A bit for each. */
+  uint32_t GetButtons() const { return GetVar(mDevice->buttons); }
+  uint32_t GetAxesCount() const { return static_cast<uint32_t>(GetVar(mDevice->axes_count)); }
+  /** -1 if there is no axis of that number. */
+  double GetAxes(uint32_t aIndex) const {
+    scoped_lock_t lock(mPc->mMutex);
+    return aIndex < GetAxesCount() && aIndex < 8 ? mDevice->pos[aIndex] : -1.0;
+  }
+  double operator[](uint32_t aIndex) const { return GetAxes(aIndex); }
 };
 
 /** What it returns as pointers is valid until the next data. A link that does not exist throws. */
@@ -195,19 +236,19 @@ class HealthProxy : public PLAYERCC_BASE(health) {
   HealthProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
 
   /** In percent. */
-  float GetIdleCPU() { return GetVar(mDevice->cpu_usage.idle); }
-  float GetSystemCPU() { return GetVar(mDevice->cpu_usage.system); }
-  float GetUserCPU() { return GetVar(mDevice->cpu_usage.user); }
-  int64_t GetMemTotal() { return GetVar(mDevice->mem.total); }
-  int64_t GetMemUsed() { return GetVar(mDevice->mem.used); }
-  int64_t GetMemFree() { return GetVar(mDevice->mem.free); }
-  int64_t GetSwapTotal() { return GetVar(mDevice->swap.total); }
-  int64_t GetSwapUsed() { return GetVar(mDevice->swap.used); }
-  int64_t GetSwapFree() { return GetVar(mDevice->swap.free); }
+  float GetIdleCPU() const { return GetVar(mDevice->cpu_usage.idle); }
+  float GetSystemCPU() const { return GetVar(mDevice->cpu_usage.system); }
+  float GetUserCPU() const { return GetVar(mDevice->cpu_usage.user); }
+  int64_t GetMemTotal() const { return GetVar(mDevice->mem.total); }
+  int64_t GetMemUsed() const { return GetVar(mDevice->mem.used); }
+  int64_t GetMemFree() const { return GetVar(mDevice->mem.free); }
+  int64_t GetSwapTotal() const { return GetVar(mDevice->swap.total); }
+  int64_t GetSwapUsed() const { return GetVar(mDevice->swap.used); }
+  int64_t GetSwapFree() const { return GetVar(mDevice->swap.free); }
   /** In percent; 0 of nothing. */
-  float GetPercMemUsed() { return Percent(GetMemUsed(), GetMemTotal()); }
-  float GetPercSwapUsed() { return Percent(GetSwapUsed(), GetSwapTotal()); }
-  float GetPercTotalUsed() {
+  float GetPercMemUsed() const { return Percent(GetMemUsed(), GetMemTotal()); }
+  float GetPercSwapUsed() const { return Percent(GetSwapUsed(), GetSwapTotal()); }
+  float GetPercTotalUsed() const {
     scoped_lock_t lock(mPc->mMutex);
     return Percent(GetMemUsed() + GetSwapUsed(), GetMemTotal() + GetSwapTotal());
   }

@@ -3,379 +3,25 @@
 #ifndef LIBPLAYERCPP_PLAYERCPP_H
 #define LIBPLAYERCPP_PLAYERCPP_H
 
-#include <libplayerc/playerc.h>
+#include <libplayerc++/clientproxy.h>
+#include <libplayerc++/playerc++config.h>
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <cmath>
-#include <exception>
-#include <functional>
-#include <iostream>
-#include <list>
-#include <memory>
-#include <mutex>
+#include <cstring>
 #include <string>
-#include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace PlayerCc {
 
-const std::string PLAYER_HOSTNAME("localhost");
-const int PLAYER_PORTNUM = 6665;
-
-// --- angles and limits
-
-inline double rtod(double radians) {
-  return radians * 180.0 / M_PI;
-}
-inline double dtor(double degrees) {
-  return degrees * M_PI / 180.0;
-}
-inline double normalize(double angle) {
-  return std::atan2(std::sin(angle), std::cos(angle));
-}
-template <typename T>
-T limit(T value, T low, T high) {
-  return value < low ? low : value > high ? high : value;
-}
-
-// --- errors
-
-/** What a call that failed throws. */
-class PlayerError {
- public:
-  PlayerError(const std::string fun = "", const std::string str = "", const int code = -1)
-      : fun_(fun), str_(str), code_(code) {}
-  std::string GetErrorFun() const { return fun_; }
-  std::string GetErrorStr() const { return str_; }
-  int GetErrorCode() const { return code_; }
-
- private:
-  std::string fun_, str_;
-  int code_;
-};
-
-inline std::ostream &operator<<(std::ostream &os, const PlayerError &error) {
-  return os << error.GetErrorFun() << "(" << error.GetErrorCode() << "): " << error.GetErrorStr();
-}
-
-/** Throws the reason of the last call of the C library that failed. */
-inline void Insist(int result, const char *fun) {
-  if (result != 0) throw PlayerError(fun, playerc_error_str(), result);
-}
-
-// --- the client
-
-class ClientProxy;
-
-/** A connection to a server; one lock guards it and its proxies. */
-class PlayerClient {
- public:
-  typedef std::recursive_mutex mutex_t;
-  typedef std::unique_lock<mutex_t> scoped_lock_t;
-
-  /** Connects, or throws. */
-  PlayerClient(const std::string aHostname = PLAYER_HOSTNAME, uint32_t aPort = PLAYER_PORTNUM,
-               int transport = PLAYERC_TRANSPORT_TCP)
-      : mClient(playerc_client_create(NULL, aHostname.c_str(), static_cast<int>(aPort))) {
-    if (mClient == NULL) throw PlayerError("PlayerClient::PlayerClient()", playerc_error_str());
-    playerc_client_set_transport(mClient, static_cast<unsigned>(transport));
-    if (playerc_client_connect(mClient) == 0) return;
-    const PlayerError error("PlayerClient::PlayerClient()", playerc_error_str());
-    playerc_client_destroy(mClient);
-    throw error;
-  }
-  ~PlayerClient() {
-    StopThread();
-    playerc_client_destroy(mClient);
-  }
-  PlayerClient(const PlayerClient &) = delete;
-  PlayerClient &operator=(const PlayerClient &) = delete;
-
-  bool Connected() { return mClient->connected != 0; }
-  std::string GetHostname() const { return mClient->host; }
-  uint32_t GetPort() const { return static_cast<uint32_t>(mClient->port); }
-  int GetTransport() const { return mClient->transport; }
-  /** How many messages the server has dropped since the last call. */
-  uint32_t GetOverflowCount() {
-    scoped_lock_t lock(mMutex);
-    const uint32_t count = mClient->overflow_count;
-    mClient->overflow_count = 0;
-    return count;
-  }
-
-  /** Waits for data: a round of them in pull mode, a message in push mode. Then calls what
-   * ClientProxy::ConnectReadSignal() has connected to the proxies that got some. */
-  void Read();
-  /** Whether there are data within so many ms. */
-  bool Peek(uint32_t timeout = 0) {
-    scoped_lock_t lock(mMutex);
-    return playerc_client_peek(mClient, static_cast<int>(timeout)) > 0;
-  }
-  void ReadIfWaiting() {
-    if (Peek()) Read();
-  }
-  void SetDataMode(uint32_t aMode) {
-    scoped_lock_t lock(mMutex);
-    Insist(playerc_client_datamode(mClient, static_cast<uint8_t>(aMode)), "PlayerClient::SetDataMode()");
-  }
-  void RequestData() {
-    scoped_lock_t lock(mMutex);
-    Insist(playerc_client_requestdata(mClient), "PlayerClient::RequestData()");
-  }
-  void SetReplaceRule(bool aReplace, int aType = -1, int aSubtype = -1, int aInterf = -1) {
-    scoped_lock_t lock(mMutex);
-    Insist(playerc_client_set_replace_rule(mClient, aInterf, -1, aType, aSubtype, aReplace ? 1 : 0),
-           "PlayerClient::SetReplaceRule()");
-  }
-  void RequestDeviceList() {
-    scoped_lock_t lock(mMutex);
-    Insist(playerc_client_get_devlist(mClient), "PlayerClient::RequestDeviceList()");
-  }
-  std::list<playerc_device_info_t> GetDeviceList() {
-    scoped_lock_t lock(mMutex);
-    return std::list<playerc_device_info_t>(mClient->devinfos, mClient->devinfos + mClient->devinfo_count);
-  }
-  void SetRequestTimeout(uint32_t seconds) { playerc_client_set_request_timeout(mClient, seconds); }
-  void SetRetryLimit(int limit) { playerc_client_set_retry_limit(mClient, limit); }
-  int GetRetryLimit() { return mClient->retry_limit; }
-  void SetRetryTime(double time) { playerc_client_set_retry_time(mClient, time); }
-  double GetRetryTime() { return mClient->retry_time; }
-  int LookupCode(std::string aName) const { return str_to_interf(aName.c_str()); }
-  std::string LookupName(int aCode) const { return interf_to_str(static_cast<uint16_t>(aCode)); }
-
-  /** Reads whatever comes, until Stop(); looks every so many ms. */
-  void Run(uint32_t aTimeout = 10) {
-    while (!mStop) {
-      if (HasData(aTimeout)) Read();
-    }
-  }
-  void Stop() { mStop = true; }
-  /** The same in a thread, until StopThread() or an exception, which is printed. Also again after these. */
-  void StartThread() {
-    if (mRuns && !mStop) return;
-    StopThread();
-    mStop = false;
-    if (IsThread()) return;  // which goes on
-    mRuns = true;
-    mThread = std::thread([this] { RunAlone(); });
-  }
-  /** From a function that the thread calls, it ends after that call. */
-  void StopThread() {
-    Stop();
-    if (mThread.joinable() && !IsThread()) mThread.join();
-  }
-
-  playerc_client_t *mClient;
-  mutable mutex_t mMutex;
-  std::list<ClientProxy *> mProxyList;
-
- private:
-  /** Waits without the lock, so that others may use the proxies meanwhile. */
-  bool HasData(uint32_t timeout) {
-    if (Peek()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(timeout));
-    return Peek();
-  }
-
-  bool IsThread() const { return mRunner == std::this_thread::get_id(); }
-  void RunAlone() {
-    mRunner = std::this_thread::get_id();
-    try {
-      Run();
-    } catch (const PlayerError &error) {  // the run has ended, or the server is gone
-      std::cerr << error << std::endl;
-    } catch (const std::exception &error) {  // of a function that is connected
-      std::cerr << "PlayerClient::StartThread(): " << error.what() << std::endl;
-    } catch (...) {
-      std::cerr << "PlayerClient::StartThread(): an exception of a kind that is not known" << std::endl;
-    }
-    mRunner = std::thread::id();
-    mRuns = false;
-  }
-
-  std::atomic<bool> mStop{false};
-  std::atomic<bool> mRuns{false};  // the thread
-  std::atomic<std::thread::id> mRunner{std::thread::id()};
-  std::thread mThread;
-};
-
-inline std::ostream &operator<<(std::ostream &os, const PlayerClient &client) {
-  return os << client.GetHostname() << ":" << client.GetPort();
-}
-
-// --- what all proxies have
-
-class ClientProxy {
-  struct Subscriber {
-    explicit Subscriber(std::function<void()> what) : call(std::move(what)), connected(true) {}
-    std::function<void()> call;
-    std::atomic<bool> connected;
-  };
-
- public:
-  typedef PlayerClient::scoped_lock_t scoped_lock_t;
-
-  /** What ConnectReadSignal() has connected; it may outlive the proxy. */
-  class connection_t {
-   public:
-    connection_t() {}
-    bool connected() const {
-      const std::shared_ptr<Subscriber> subscriber = subscriber_.lock();
-      return subscriber && subscriber->connected;
-    }
-    void disconnect() const {
-      if (const std::shared_ptr<Subscriber> subscriber = subscriber_.lock()) subscriber->connected = false;
-    }
-
-   private:
-    friend class ClientProxy;
-    explicit connection_t(const std::shared_ptr<Subscriber> &subscriber) : subscriber_(subscriber) {}
-    std::weak_ptr<Subscriber> subscriber_;
-  };
-
-  virtual ~ClientProxy() {}
-  ClientProxy(const ClientProxy &) = delete;
-  ClientProxy &operator=(const ClientProxy &) = delete;
-
-  /** Whether any data have come. */
-  bool IsValid() const { return GetVar(mInfo->datatime) != 0.0; }
-  /** Whether data have come since NotFresh(). */
-  bool IsFresh() const { return GetVar(mInfo->fresh) != 0; }
-  void NotFresh() {
-    scoped_lock_t lock(mPc->mMutex);
-    mInfo->fresh = 0;
-  }
-  std::string GetDriverName() const { return mInfo->drivername; }
-  /** The server's time of the last data, and how much later than those before they are (s). */
-  double GetDataTime() const { return GetVar(mInfo->datatime); }
-  double GetElapsedTime() const {
-    scoped_lock_t lock(mPc->mMutex);
-    return mInfo->datatime - mInfo->lasttime;
-  }
-  PlayerClient *GetPlayerClient() const { return mPc; }
-  uint32_t GetIndex() const { return mInfo->addr.index; }
-  uint32_t GetInterface() const { return mInfo->addr.interf; }
-  std::string GetInterfaceStr() const { return interf_to_str(mInfo->addr.interf); }
-  void SetReplaceRule(bool aReplace, int aType = -1, int aSubtype = -1) {
-    scoped_lock_t lock(mPc->mMutex);
-    Insist(playerc_client_set_replace_rule(mPc->mClient, mInfo->addr.interf, mInfo->addr.index, aType,
-                                           aSubtype, aReplace ? 1 : 0),
-           "ClientProxy::SetReplaceRule()");
-  }
-  int HasCapability(uint32_t aType, uint32_t aSubtype) {
-    scoped_lock_t lock(mPc->mMutex);
-    return playerc_device_hascapability(mInfo, aType, aSubtype) == 0 ? 1 : 0;
-  }
-  int GetBoolProp(char *property, bool *value) {
-    scoped_lock_t lock(mPc->mMutex);
-    BOOL told = FALSE;
-    const int result = playerc_device_get_boolprop(mInfo, property, &told);
-    if (result == 0) *value = told != FALSE;
-    return result;
-  }
-  int SetBoolProp(char *property, bool value) {
-    scoped_lock_t lock(mPc->mMutex);
-    return playerc_device_set_boolprop(mInfo, property, value ? TRUE : FALSE);
-  }
-  int GetIntProp(char *property, int32_t *value) {
-    scoped_lock_t lock(mPc->mMutex);
-    return playerc_device_get_intprop(mInfo, property, value);
-  }
-  int SetIntProp(char *property, int32_t value) {
-    scoped_lock_t lock(mPc->mMutex);
-    return playerc_device_set_intprop(mInfo, property, value);
-  }
-  int GetDblProp(char *property, double *value) {
-    scoped_lock_t lock(mPc->mMutex);
-    return playerc_device_get_dblprop(mInfo, property, value);
-  }
-  int SetDblProp(char *property, double value) {
-    scoped_lock_t lock(mPc->mMutex);
-    return playerc_device_set_dblprop(mInfo, property, value);
-  }
-  int GetStrProp(char *property, char **value) {
-    scoped_lock_t lock(mPc->mMutex);
-    return playerc_device_get_strprop(mInfo, property, value);
-  }
-  int SetStrProp(char *property, char *value) {
-    scoped_lock_t lock(mPc->mMutex);
-    return playerc_device_set_strprop(mInfo, property, value);
-  }
-
-  /** Has PlayerClient::Read() call `aSubscriber`, a function or an object without arguments, after new data of this
-   * proxy, in the thread that reads, under the lock. It may disconnect itself and others, and destroy proxies. */
-  template <typename T>
-  connection_t ConnectReadSignal(T aSubscriber) {
-    scoped_lock_t lock(mPc->mMutex);
-    subscribers_.push_back(std::make_shared<Subscriber>(aSubscriber));
-    return connection_t(subscribers_.back());
-  }
-  void DisconnectReadSignal(connection_t aSubscriber) { aSubscriber.disconnect(); }
-  /** For PlayerClient, after reading: the proxy may be destroyed by what it calls. */
-  void ReadSignal() {
-    if (mInfo->datatime == told_) return;
-    told_ = mInfo->datatime;
-    const auto is_over = [](const std::shared_ptr<Subscriber> &each) { return !each->connected; };
-    subscribers_.erase(std::remove_if(subscribers_.begin(), subscribers_.end(), is_over), subscribers_.end());
-    const std::vector<std::shared_ptr<Subscriber>> subscribers = subscribers_;
-    for (const std::shared_ptr<Subscriber> &each : subscribers) {
-      if (each->connected) each->call();
-    }
-  }
-
- protected:
-  explicit ClientProxy(PlayerClient *aPc) : mPc(aPc), mInfo(NULL), told_(0) {}
-
-  /** A member of the proxy, read under the lock. */
-  template <typename T>
-  T GetVar(const T &aV) const {
-    scoped_lock_t lock(mPc->mMutex);
-    return aV;
-  }
-  /** An element of a list of `count`; throws if there is none of that number. */
-  template <typename T, typename Count>
-  T GetElement(T *const &list, const Count &count, uint32_t aIndex) const {
-    scoped_lock_t lock(mPc->mMutex);
-    if (aIndex < static_cast<uint32_t>(count)) return list[aIndex];
-    throw PlayerError("ClientProxy", "there is no element " + std::to_string(aIndex) + " of " +
-                                         std::to_string(count) + " of " + GetInterfaceStr());
-  }
-  /** Before the proxy goes, under the lock: what ReadSignal() is about to call may use it. */
-  void DisconnectAll() {
-    for (const std::shared_ptr<Subscriber> &each : subscribers_) each->connected = false;
-  }
-  /** Fails as `fun` unless the result is 0. */
-  void Check(int result, const char *fun) const { Insist(result, fun); }
-
-  PlayerClient *mPc;
-  playerc_device_t *mInfo;
-
- private:
-  std::vector<std::shared_ptr<Subscriber>> subscribers_;
-  double told_;  // time of the data that the subscribers know of
-};
-
-inline void PlayerClient::Read() {
-  scoped_lock_t lock(mMutex);
-  if (playerc_client_read(mClient) == NULL) throw PlayerError("PlayerClient::Read()", playerc_error_str());
-  const std::list<ClientProxy *> proxies = mProxyList;
-  for (ClientProxy *const each : proxies) {
-    if (std::find(mProxyList.begin(), mProxyList.end(), each) != mProxyList.end()) each->ReadSignal();
-  }
-}
-
 /** A proxy of the C library as a member, for as long as this object is there. */
-template <typename T, T *(*Create)(playerc_client_t *, int), void (*Destroy)(T *), int (*Subscribe)(T *, int),
-          int (*Unsubscribe)(T *)>
+template <typename T, T *(*Create)(playerc_client_t *, int), void (*Destroy)(T *), int (*Open)(T *, int),
+          int (*Close)(T *)>
 class DeviceProxy : public ClientProxy {
  public:
   ~DeviceProxy() override {
     scoped_lock_t lock(mPc->mMutex);
-    DisconnectAll();
-    mPc->mProxyList.remove(this);
-    if (mPc->Connected()) Unsubscribe(mDevice);
+    Leave();
+    if (mPc->Connected()) Close(mDevice);
     Destroy(mDevice);
   }
 
@@ -384,13 +30,12 @@ class DeviceProxy : public ClientProxy {
     scoped_lock_t lock(mPc->mMutex);
     mDevice = Create(mPc->mClient, static_cast<int>(aIndex));
     if (mDevice == NULL) throw PlayerError("ClientProxy", playerc_error_str());
-    if (Subscribe(mDevice, PLAYER_OPEN_MODE) != 0) {
+    if (Open(mDevice, PLAYER_OPEN_MODE) != 0) {
       const PlayerError error("ClientProxy", playerc_error_str());
       Destroy(mDevice);
       throw error;
     }
     mInfo = &mDevice->info;
-    mPc->mProxyList.push_back(this);
   }
 
   T *mDevice;
@@ -459,12 +104,6 @@ class Position2dProxy : public PLAYERCC_BASE(position2d) {
   bool GetStall() const { return GetVar(mDevice->stall) != 0; }
 };
 
-inline std::ostream &operator<<(std::ostream &os, const Position2dProxy &base) {
-  return os << "at " << base.GetXPos() << " " << base.GetYPos() << " " << base.GetYaw() << ", speed "
-            << base.GetXSpeed() << " " << base.GetYSpeed() << " " << base.GetYawSpeed()
-            << (base.GetStall() ? ", stalled" : "");
-}
-
 class Position3dProxy : public PLAYERCC_BASE(position3d) {
  public:
   Position3dProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
@@ -481,10 +120,16 @@ class Position3dProxy : public PLAYERCC_BASE(position3d) {
     SetSpeed(aXSpeed, aYSpeed, 0, 0, 0, aYawSpeed);
   }
   void SetSpeed(double aXSpeed, double aYawSpeed) { SetSpeed(aXSpeed, 0, 0, 0, 0, aYawSpeed); }
+  void SetSpeed(player_pose3d_t vel) { SetSpeed(vel.px, vel.py, vel.pz, vel.proll, vel.ppitch, vel.pyaw); }
   void GoTo(player_pose3d_t aPos, player_pose3d_t aVel) {
     PLAYERCC_DO(playerc_position3d_set_pose_with_vel, mDevice, aPos, aVel);
   }
   void GoTo(player_pose3d_t aPos) { GoTo(aPos, player_pose3d_t()); }
+  void GoTo(double aX, double aY, double aZ, double aRoll, double aPitch, double aYaw) {
+    const player_pose3d_t pos = {aX, aY, aZ, aRoll, aPitch, aYaw};
+    GoTo(pos);
+  }
+  void SelectVelocityControl(int aMode) { PLAYERCC_DO(playerc_position3d_set_vel_mode, mDevice, aMode); }
   void SetMotorEnable(bool aEnable) { PLAYERCC_DO(playerc_position3d_enable, mDevice, aEnable ? 1 : 0); }
   void ResetOdometry() { PLAYERCC_DO(playerc_position3d_reset_odom, mDevice); }
   void SetOdometry(double aX, double aY, double aZ, double aRoll, double aPitch, double aYaw) {
@@ -500,6 +145,8 @@ class Position3dProxy : public PLAYERCC_BASE(position3d) {
   double GetXSpeed() const { return GetVar(mDevice->vel_x); }
   double GetYSpeed() const { return GetVar(mDevice->vel_y); }
   double GetZSpeed() const { return GetVar(mDevice->vel_z); }
+  double GetRollSpeed() const { return GetVar(mDevice->vel_roll); }
+  double GetPitchSpeed() const { return GetVar(mDevice->vel_pitch); }
   double GetYawSpeed() const { return GetVar(mDevice->vel_yaw); }
   bool GetStall() const { return GetVar(mDevice->stall) != 0; }
 };
@@ -532,8 +179,8 @@ class LaserProxy : public PLAYERCC_BASE(laser) {
   }
   double GetBearing(uint32_t aIndex) const {
     scoped_lock_t lock(mPc->mMutex);
-    GetRange(aIndex);  // throws if there is none
-    return mDevice->scan[aIndex][1];
+    GetRange(aIndex);  // tells if there is none
+    return aIndex < GetCount() ? mDevice->scan[aIndex][1] : 0;
   }
   int GetIntensity(uint32_t aIndex) const {
     return GetElement<int>(mDevice->intensity, mDevice->scan_count, aIndex);
@@ -579,6 +226,7 @@ class LaserProxy : public PLAYERCC_BASE(laser) {
   double conf_min_angle_, conf_max_angle_;
 };
 
+/** An element that its lists do not have throws, once there are data. */
 class RangerProxy : public PLAYERCC_BASE(ranger) {
  public:
   RangerProxy(PlayerClient *aPc, uint32_t aIndex = 0) : DeviceProxy(aPc, aIndex) {}
@@ -587,19 +235,23 @@ class RangerProxy : public PLAYERCC_BASE(ranger) {
   player_pose3d_t GetDevicePose() const { return GetVar(mDevice->device_pose); }
   player_bbox3d_t GetDeviceSize() const { return GetVar(mDevice->device_size); }
   player_pose3d_t GetElementPose(uint32_t aIndex) const {
-    return GetElement<player_pose3d_t>(mDevice->element_poses, mDevice->element_count, aIndex);
+    return GetRanged<player_pose3d_t>(mDevice->element_poses, mDevice->element_count, aIndex);
   }
   player_bbox3d_t GetElementSize(uint32_t aIndex) const {
-    return GetElement<player_bbox3d_t>(mDevice->element_sizes, mDevice->element_count, aIndex);
+    return GetRanged<player_bbox3d_t>(mDevice->element_sizes, mDevice->element_count, aIndex);
   }
   uint32_t GetRangeCount() const { return GetVar(mDevice->ranges_count); }
   double GetRange(uint32_t aIndex) const {
-    return GetElement<double>(mDevice->ranges, mDevice->ranges_count, aIndex);
+    return GetRanged<double>(mDevice->ranges, mDevice->ranges_count, aIndex);
   }
   double operator[](uint32_t aIndex) const { return GetRange(aIndex); }
+  uint32_t GetPointCount() const { return GetVar(mDevice->points_count); }
+  player_point_3d_t GetPoint(uint32_t aIndex) const {
+    return GetRanged<player_point_3d_t>(mDevice->points, mDevice->points_count, aIndex);
+  }
   uint32_t GetIntensityCount() const { return GetVar(mDevice->intensities_count); }
   double GetIntensity(uint32_t aIndex) const {
-    return GetElement<double>(mDevice->intensities, mDevice->intensities_count, aIndex);
+    return GetRanged<double>(mDevice->intensities, mDevice->intensities_count, aIndex);
   }
   void SetPower(bool aEnable) { PLAYERCC_DO(playerc_ranger_power_config, mDevice, aEnable ? 1 : 0); }
   void SetIntensityData(bool aEnable) { PLAYERCC_DO(playerc_ranger_intns_config, mDevice, aEnable ? 1 : 0); }
@@ -619,6 +271,14 @@ class RangerProxy : public PLAYERCC_BASE(ranger) {
   double GetMaxRange() const { return GetVar(mDevice->max_range); }
   double GetRangeRes() const { return GetVar(mDevice->range_res); }
   double GetFrequency() const { return GetVar(mDevice->frequency); }
+
+ private:
+  template <typename T>
+  T GetRanged(T *const &list, uint32_t count, uint32_t aIndex) const {
+    scoped_lock_t lock(mPc->mMutex);
+    if (aIndex >= count && IsValid()) throw PlayerError("RangerProxy", Absent(aIndex, count));
+    return GetElement<T>(list, count, aIndex);
+  }
 };
 
 class SonarProxy : public PLAYERCC_BASE(sonar) {
@@ -638,23 +298,6 @@ class SonarProxy : public PLAYERCC_BASE(sonar) {
   }
   void RequestGeom() { PLAYERCC_DO(playerc_sonar_get_geom, mDevice); }
 };
-
-/** Prints the ranges. */
-template <typename Ranges>
-std::ostream &PrintRanges(std::ostream &os, const Ranges &proxy, uint32_t count) {
-  os << count << " ranges:";
-  for (uint32_t i = 0; i < count; ++i) os << " " << proxy[i];
-  return os;
-}
-inline std::ostream &operator<<(std::ostream &os, const LaserProxy &laser) {
-  return PrintRanges(os, laser, laser.GetCount());
-}
-inline std::ostream &operator<<(std::ostream &os, const RangerProxy &ranger) {
-  return PrintRanges(os, ranger, ranger.GetRangeCount());
-}
-inline std::ostream &operator<<(std::ostream &os, const SonarProxy &sonar) {
-  return PrintRanges(os, sonar, sonar.GetCount());
-}
 
 class BumperProxy : public PLAYERCC_BASE(bumper) {
  public:
@@ -751,11 +394,21 @@ class LocalizeProxy : public PLAYERCC_BASE(localize) {
     const player_pose2d_t pose = {particle.pose[0], particle.pose[1], particle.pose[2]};
     return pose;
   }
-  /** `cov`: the variances of x, y and heading. */
-  void SetPose(double pose[3], double cov[3]) {
+  /** `cov`: the variances of x, y and heading; also their covariances xy, y heading and x heading if it is an array of
+   * six. */
+  template <typename Cov>
+  void SetPose(double pose[3], Cov &&cov) {
+    const size_t given = std::extent<typename std::remove_reference<Cov>::type>::value;  // 0 of a pointer
     double whole[6] = {cov[0], cov[1], cov[2], 0, 0, 0};
+    for (size_t i = 3; i < given && i < 6; ++i) whole[i] = cov[i];
     PLAYERCC_DO(playerc_localize_set_pose, mDevice, pose, whole);
   }
+  /** The map is the map interface's: zeros, as they were in the original. */
+  uint32_t GetMapSizeX() const { return static_cast<uint32_t>(GetVar(mDevice->map_size_x)); }
+  uint32_t GetMapSizeY() const { return static_cast<uint32_t>(GetVar(mDevice->map_size_y)); }
+  uint32_t GetMapTileX() const { return static_cast<uint32_t>(GetVar(mDevice->map_tile_x)); }
+  uint32_t GetMapTileY() const { return static_cast<uint32_t>(GetVar(mDevice->map_tile_y)); }
+  double GetMapScale() const { return GetVar(mDevice->map_scale); }
 };
 
 class PlannerProxy : public PLAYERCC_BASE(planner) {
@@ -800,6 +453,9 @@ class PlannerProxy : public PLAYERCC_BASE(planner) {
     return PoseOf(at[0], at[1], at[2]);
   }
   player_pose2d_t operator[](uint32_t aIndex) const { return GetWaypoint(aIndex); }
+  double GetIx(int i) const { return GetWaypoint(static_cast<uint32_t>(i)).px; }
+  double GetIy(int i) const { return GetWaypoint(static_cast<uint32_t>(i)).py; }
+  double GetIa(int i) const { return GetWaypoint(static_cast<uint32_t>(i)).pa; }
 
  private:
   static player_pose2d_t PoseOf(double x, double y, double a) {
@@ -864,6 +520,15 @@ class PtzProxy : public PLAYERCC_BASE(ptz) {
 
   void SetCam(double aPan, double aTilt, double aZoom) {
     PLAYERCC_DO(playerc_ptz_set, mDevice, aPan, aTilt, aZoom);
+  }
+  /** Turns on from where it is. */
+  void SetSpeed(double aPanSpeed = 0, double aTiltSpeed = 0, double = 0) {
+    PLAYERCC_DO(playerc_ptz_set_ws, mDevice, mDevice->pan, mDevice->tilt, mDevice->zoom, aPanSpeed,
+                aTiltSpeed);
+  }
+  int GetStatus() {
+    PLAYERCC_DO(playerc_ptz_query_status, mDevice);
+    return GetVar(mDevice->status);
   }
   void SelectControlMode(uint32_t aMode) {
     PLAYERCC_DO(playerc_ptz_set_control_mode, mDevice, static_cast<int>(aMode));
@@ -960,6 +625,9 @@ class ImuProxy : public PLAYERCC_BASE(imu) {
   float GetZMagn() { return GetRawValues().magn_z; }
   void SetDatatype(int aDatatype) { PLAYERCC_DO(playerc_imu_datatype, mDevice, aDatatype); }
   void ResetOrientation(int aValue) { PLAYERCC_DO(playerc_imu_reset_orientation, mDevice, aValue); }
+  void ResetEuler(float aRoll, float aPitch, float aYaw) {
+    PLAYERCC_DO(playerc_imu_reset_euler, mDevice, aRoll, aPitch, aYaw);
+  }
 };
 
 class ActArrayProxy : public PLAYERCC_BASE(actarray) {
@@ -986,6 +654,13 @@ class ActArrayProxy : public PLAYERCC_BASE(actarray) {
   }
   void MoveAtSpeedMulti(std::vector<float> aSpeed) {
     PLAYERCC_DO(playerc_actarray_multi_speed_cmd, mDevice, aSpeed.data(), static_cast<int>(aSpeed.size()));
+  }
+  void SetActuatorCurrent(uint32_t aJoint, float aCurrent) {
+    PLAYERCC_DO(playerc_actarray_current_cmd, mDevice, static_cast<int>(aJoint), aCurrent);
+  }
+  void SetActuatorCurrentMulti(std::vector<float> aCurrent) {
+    PLAYERCC_DO(playerc_actarray_multi_current_cmd, mDevice, aCurrent.data(),
+                static_cast<int>(aCurrent.size()));
   }
   void MoveHome(int aJoint) { PLAYERCC_DO(playerc_actarray_home_cmd, mDevice, aJoint); }
   uint32_t GetCount() const { return GetVar(mDevice->actuators_count); }
@@ -1074,6 +749,8 @@ class PowerProxy : public PLAYERCC_BASE(power) {
   double GetJoules() const { return GetVar(mDevice->joules); }
   double GetWatts() const { return GetVar(mDevice->watts); }
   bool GetCharging() const { return GetVar(mDevice->charging) != 0; }
+  /** Whether the battery tells anything. */
+  bool IsValid() const { return GetVar(mDevice->valid) != 0; }
 };
 
 class SpeechProxy : public PLAYERCC_BASE(speech) {
@@ -1115,6 +792,7 @@ class OpaqueProxy : public PLAYERCC_BASE(opaque) {
 }  // namespace PlayerCc
 
 #include <libplayerc++/equipment.h>
+#include <libplayerc++/print.h>
 
 #undef PLAYERCC_DO
 #undef PLAYERCC_BASE

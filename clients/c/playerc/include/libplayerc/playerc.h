@@ -441,6 +441,11 @@ typedef struct playerc_localize_particle {
 
 typedef struct {
   playerc_device_t info;
+  /** Zeros and NULL, as they were: the map is that of the map interface. */
+  int map_size_x, map_size_y;
+  double map_scale;
+  int map_tile_x, map_tile_y;
+  int8_t *map_cells;
   int pending_count;
   double pending_time;
   int hypoth_count;
@@ -453,8 +458,14 @@ typedef struct {
 } playerc_localize_t;
 PLAYERC_PROXY_FUNCTIONS(localize)
 
-/** `cov`: variances of x, y and heading, then the covariances xy, y heading and x heading. */
+/** `cov`: variances of x, y and heading, then the covariances xy, y heading and x heading; an array of three, as programs
+ * for Player 3.0 have, is one without these. */
 int playerc_localize_set_pose(playerc_localize_t *device, double pose[3], double cov[6]);
+int playerc_localize_set_pose_of(playerc_localize_t *device, const double pose[3], const double *cov,
+                                 size_t cov_count);
+#define playerc_localize_set_pose(device, pose, cov) \
+  playerc_localize_set_pose_of(device, pose, cov, PLAYERC_COV_COUNT(cov))
+#define PLAYERC_COV_COUNT(cov) (sizeof(cov) == 3 * sizeof(double) ? 3 : 6)
 int playerc_localize_get_particles(playerc_localize_t *device);
 
 typedef struct {
@@ -839,6 +850,11 @@ int playerc_blackboard_unsubscribe_from_key(playerc_blackboard_t *device, const 
 int playerc_blackboard_subscribe_to_group(playerc_blackboard_t *device, const char *group);
 int playerc_blackboard_unsubscribe_from_group(playerc_blackboard_t *device, const char *group);
 int playerc_blackboard_set_entry(playerc_blackboard_t *device, player_blackboard_entry_t *entry);
+int playerc_blackboard_set_string(playerc_blackboard_t *device, const char *key, const char *group,
+                                  const char *value);
+int playerc_blackboard_set_int(playerc_blackboard_t *device, const char *key, const char *group, int value);
+int playerc_blackboard_set_double(playerc_blackboard_t *device, const char *key, const char *group,
+                                  double value);
 
 typedef struct {
   playerc_device_t info;
