@@ -51,7 +51,7 @@ class Soak:
         return client
 
     def second(self) -> None:
-        for client in self.dice.sample(self.clients[::10], READ):
+        for client in self.dice.sample(self.clients[::10], min(READ, len(self.clients[::10]))):
             begun = time.monotonic()
             client.read()  # raises if the session is lost, or nobody answers for 5 s
             self.trips.append(time.monotonic() - begun)
@@ -100,7 +100,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=str(ROOT / "build/playhouse"))
     parser.add_argument("--sessions", type=int, default=10000)
-    parser.add_argument("--hours", type=float, default=24)
+    parser.add_argument("--hours", type=float, default=24, help="a minute at least")
     options = parser.parse_args()
     most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
     resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
@@ -110,7 +110,7 @@ def main() -> int:
         house = stack.enter_context(House("run", world, "--port", 0, "--headless", program=options.program))
         soak = Soak(house, options.sessions)
         stack.callback(soak.close)
-        minutes = hold(soak, 3600 * options.hours)
+        minutes = hold(soak, max(60, 3600 * options.hours))
         more = grown(minutes)
         print(json.dumps({"sessions": options.sessions, "hours": options.hours, "grown": more, "last": minutes[-1]}))
     return 1 if more else 0

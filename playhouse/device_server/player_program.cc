@@ -125,7 +125,7 @@ int player_program(std::span<const char* const> words, std::string_view about, c
   }
   if (!is_there(options->file))
     return fail_at({escaped(options->file), std::string("cannot be opened: ") + std::strerror(errno)});
-  if (options->key.empty() && !net::is_local(options->bind + ":0"))
+  if (options->key.empty() && options->bind != "localhost" && !net::is_local(options->bind + ":0"))
     log::warn("who reaches this machine may do everything here: -k KEY asks for a key");
   const int code = serve(*options, [](const std::vector<std::uint16_t>& ports) {
     fmt::print("Listening on ports: {} \n", fmt::join(ports, " "));

@@ -1,5 +1,6 @@
 #include "playhouse/net/io_loop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -11,11 +12,13 @@
 namespace playhouse::net {
 namespace {
 
+constexpr double kLongestWait = 1e9;  // s; more is for ever, and too much for the clock
+
 class AsioTimer final : public Timer {
  public:
   AsioTimer(asio::io_context& context, double seconds, Network::Task task)
       : timer_(context, std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                            std::chrono::duration<double>(seconds))) {
+                            std::chrono::duration<double>(std::min(seconds, kLongestWait)))) {
     timer_.async_wait([task = std::move(task), live = std::weak_ptr<int>(live_)](const auto& error) {
       if (!error && !live.expired()) task();
     });

@@ -124,9 +124,8 @@ class DatagramConnection final : public net::Connection {
   /// For the port.
   void received(std::span<const std::byte> datagram);
   double heard() const { return heard_; }
-  /// It commands, and neither has it been heard since `time`, nor has anything been sent to it, which its machine would
-  /// have refused if it were gone.
-  bool commands_blindly(double time) const { return commands_ && heard_ <= time && sent_ <= time; }
+  /// It commands and is sent no data, which its machine would refuse if it were gone, and has not been heard since `time`.
+  bool commands_blindly(double time) const { return commands_ && number_ == 0 && heard_ <= time; }
   std::uint64_t serial() const { return serial_; }
   const net::Endpoint& endpoint() const { return peer_; }
   std::list<DatagramConnection*>::iterator place;  // for the port
@@ -142,7 +141,6 @@ class DatagramConnection final : public net::Connection {
  private:
   void send_message(std::span<const std::byte> message) {
     in_flight_ += message.size();
-    sent_ = port_->network().now();
     const bool data = is_data(message);
     if (data) ++number_;
     if (message.size() > limits::kDatagramMostBytes) return refuse_long(message, data);
@@ -197,7 +195,7 @@ class DatagramConnection final : public net::Connection {
   DatagramStream stream_;
   std::vector<std::byte> waiting_;  // whole messages, while paused
   std::size_t counted_ = 0;         // bytes held, as the room has them
-  double heard_ = 0, sent_ = 0;     // s, the last datagram
+  double heard_ = 0;                // s
   bool commands_ = false;           // it has
   std::size_t in_flight_ = 0;       // bytes, until the next turn of the loop
   std::uint32_t number_ = 0;        // of the last data message

@@ -136,7 +136,7 @@ class Hardware(HouseTest):
         host.drive(10, 10)  # 200 mm/s
         with connect(f":{house.port()}") as world:
             truth = world.simulation()
-            wait_until(lambda: truth.pose("r0").x > 0.1, "the robot drives")
+            wait_until(lambda: host.say(0) or truth.pose("r0").x > 0.1, "the robot drives")
             x, y, heading = host.packet()
             self.assertEqual((y, heading), (0, 0))
             self.assertAlmostEqual(x / 1000, truth.pose("r0").x, delta=0.15)

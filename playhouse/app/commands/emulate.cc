@@ -21,7 +21,7 @@ namespace playhouse::app {
 namespace {
 
 constexpr std::string_view kEmulatorSuffix = "_emulator";
-constexpr const char* kSections = "emulate";  // in place of a file's name, in errors
+constexpr const char* kSections = "playhouse emulate";  // in place of a file's name, in errors
 
 /// Names of what can be emulated.
 std::vector<std::string_view> emulated() {
@@ -96,6 +96,7 @@ struct FoundRobot {
 };
 Result<FoundRobot> look_for(const EmulateOptions& options, const NamedServer& server,
                             const drivers::DriverDefinition& emulator) {
+  if (!options.devices.empty()) return FoundRobot{options.robot, options.devices};
   Result<client::Client> client =
       client::Client::connect(server.address.host, server.address.port, {.token = options.token});
   if (!client) return server.explain(client.error());
@@ -109,12 +110,12 @@ Result<FoundRobot> look_for(const EmulateOptions& options, const NamedServer& se
 }
 
 /// Relays the devices, and runs the emulator over them.
-int run_sections(const std::string& text, const std::string& told) {
+int run_sections(const std::string& text, std::uint16_t own_port, const std::string& told) {
   config::MemoryFiles none({});
-  const Result<config::CfgFile> file = config::load_cfg_text(text, kSections, none);
+  const Result<config::CfgFile> file = config::load_cfg_text(text, kSections, none, own_port);
   if (!file) return fail(file.error(), kUsage);
   device_server::DeviceServer service({});
-  service.open_site(client::kDefaultPort, service.server());
+  service.open_site(own_port, service.server());
   const Result<void> made = service.make_drivers(drivers::all_drivers(), *file, warn);
   if (!made) return fail(made.error(), kUsage);
   fmt::print("{}\n", told);
@@ -136,9 +137,14 @@ int emulate(const EmulateOptions& options) {
   if (!text) return fail(text.error(), kUsage);
   const std::string place =
       options.port.empty() ? fmt::format("127.0.0.1:{}", options.tcp_port) : options.port;
-  return run_sections(*text, fmt::format("{} at {}: {} of {} at {}:{}", options.hardware, place,
-                                         fmt::join(robot->devices, ", "), in_quotes(robot->name),
-                                         server->address.host, server->address.port));
+  // Other than the server's, or a relay of its devices would stand for itself.
+  const std::uint16_t own_port =
+      server->address.port == client::kDefaultPort ? client::kDefaultPort + 1 : client::kDefaultPort;
+  return run_sections(
+      *text, own_port,
+      fmt::format("{} at {}: {}{} at {}:{}", options.hardware, place, fmt::join(robot->devices, ", "),
+                  robot->name.empty() ? "" : " of " + in_quotes(robot->name), server->address.host,
+                  server->address.port));
 }
 
 }  // namespace playhouse::app

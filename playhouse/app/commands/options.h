@@ -187,13 +187,14 @@ struct DriveOptions {
 };
 
 struct EmulateOptions {
-  std::string hardware;              // "p2os"
-  std::string server = {};           // of the robot; empty: this machine's
-  std::string token = {};            // of a guest; empty: none
-  std::string robot = {};            // its name; empty: the first one
-  std::string port = {};             // name of a pseudo-terminal to make
-  std::uint16_t tcp_port = 0;        // in its place
-  std::vector<std::string> options;  // of the emulator's section: "KEY=VALUE"
+  std::string hardware;                   // "p2os"
+  std::string server = {};                // of the robot; empty: this machine's
+  std::string token = {};                 // of a guest; empty: none
+  std::string robot = {};                 // its name; empty: the first one
+  std::vector<std::string> devices = {};  // "INTERFACE:INDEX", in place of those of the robot
+  std::string port = {};                  // name of a pseudo-terminal to make
+  std::uint16_t tcp_port = 0;             // in its place
+  std::vector<std::string> options;       // of the emulator's section: "KEY=VALUE"
 };
 
 struct CheckOptions {

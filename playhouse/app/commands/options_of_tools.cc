@@ -1,5 +1,6 @@
 #include "playhouse/app/commands/command_options.h"
 
+#include "playhouse/app/commands/device_name.h"
 #include "playhouse/app/commands/shared_options.h"
 #include "playhouse/app/pictures/sensor_shapes.h"
 
@@ -160,6 +161,14 @@ void add_kinds(CLI::App& app, KindsOptions& options) {
 void add_emulate(CLI::App& app, EmulateOptions& options) {
   app.add_option("HARDWARE", options.hardware, "what it is for other programs: p2os")->required();
   app.add_option("--robot", options.robot, "name of the robot (the first one)")->type_name("NAME");
+  app.add_option("--device", options.devices,
+                 "a device to use, in place of those of the robot, once for each")
+      ->type_name("INTERFACE:INDEX")
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) {
+        const Result<DeviceName> device = parse_device_name(text);
+        return device ? std::string() : device.error().line();
+      });
   app.add_option("--server", options.server, "the robot's server (127.0.0.1:6665)")->type_name("HOST[:PORT]");
   CLI::Option* const port =
       app.add_option("--port", options.port,

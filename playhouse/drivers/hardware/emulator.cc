@@ -3,10 +3,16 @@
 #include <fmt/format.h>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/back_off.h"
 
 namespace playhouse::drivers {
+namespace {
+
+constexpr double kPause = 0.25;  // s between two bytes, in which no frame goes on
+
+}  // namespace
 
 EmulatorPlace read_emulator_place(SectionFields& fields, const net::SerialSettings& serial) {
   EmulatorPlace place{.serial = serial};
@@ -60,7 +66,9 @@ Result<void> Emulator::open_line() {
     return {};
   }
   auto listener = network.listen("127.0.0.1", place_.tcp_port, [this](std::unique_ptr<net::Connection> host) {
-    host_ = std::move(host);  // in place of one before it
+    if (host_ != nullptr) return;  // a line has one end
+    reset();
+    host_ = std::move(host);
     host_->expect_alive();
     host_->start(*this);
   });
@@ -85,6 +93,11 @@ void Emulator::try_later(const std::string& why) {
   retry_ = after(wait_, [this] { open_devices(); });
 }
 
+void Emulator::finish() {
+  if (client_.is_open()) reset();
+  client_.close();
+}
+
 void Emulator::retired(device::DeviceId) {
   client_.close();
   log::warn("driver {}: its robot has gone", in_quotes(name_));
@@ -101,13 +114,15 @@ bool Emulator::speaks_as_set() const {
 void Emulator::send(std::span<const std::byte> bytes) {
   if (terminal_ != nullptr) {
     if (speaks_as_set()) terminal_->send(bytes);
-  } else if (host_ != nullptr) {
+  } else if (host_ != nullptr && host_->in_flight_bytes() + bytes.size() <= limits::kSerialBytes) {
     const auto shared = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
     host_->send(std::span(&shared, 1));
   }
 }
 
 void Emulator::received(std::span<const std::byte> bytes) {
+  const double now = site_.surroundings().network().now();
+  if (now - std::exchange(heard_, now) > kPause) line_paused();
   if (speaks_as_set()) line_received(bytes);
 }
 

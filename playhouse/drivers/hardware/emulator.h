@@ -3,8 +3,7 @@
 /// Emulator: what stands at the far end of a line in place of hardware, and speaks its protocol for devices of this server:
 /// any program that drives the hardware drives a simulated robot, or another's. It provides no device. At `port` of its
 /// section it makes a pseudo-terminal that other programs open as a serial port, at `tcp_port` it listens, for one at a time.
-/// Devices are numbered as they may be used; it opens those that its section requires as soon as they can be opened, and
-/// again when one has gone.
+/// Devices are numbered as they may be used; it opens those that its section requires as soon as they can be opened.
 
 #include <cstddef>
 #include <cstdint>
@@ -59,7 +58,7 @@ class Emulator : public device::Driver, private net::SerialEvents, private net::
   device::Taken command(const device::Message&) final { return device::Taken::kNo; }
   void request(const device::Message&, device::Replier) final {}
   bool capable(device::DeviceId, std::uint8_t, std::uint8_t) const final { return false; }
-  void finish() final { client_.close(); }
+  void finish() final;
   void retired(device::DeviceId) final;
 
  protected:
@@ -106,6 +105,10 @@ class Emulator : public device::Driver, private net::SerialEvents, private net::
 
   /// Of bytes of the host, at the right speed.
   virtual void line_received(std::span<const std::byte> bytes) = 0;
+  /// What came before is of another host, or incomplete: nothing has come for a while.
+  virtual void line_paused() {}
+  /// A host has connected by TCP, or the program ends: what it moves stops, and all is as at the beginning.
+  virtual void reset() {}
 
  private:
   void received(std::span<const std::byte> bytes) override;
@@ -128,6 +131,7 @@ class Emulator : public device::Driver, private net::SerialEvents, private net::
   std::unique_ptr<net::SerialLine> terminal_;
   std::unique_ptr<net::Listener> listener_;
   std::unique_ptr<net::Connection> host_;
+  double heard_ = 0;  // s, the last bytes
   std::unique_ptr<net::Timer> retry_;
   const std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // last member: what is posted ends with it
 };

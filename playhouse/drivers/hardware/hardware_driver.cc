@@ -6,12 +6,18 @@
 #include <utility>
 
 #include "playhouse/base/in_quotes.h"
+#include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/back_off.h"
 #include "playhouse/drivers/hardware/offered.h"
 #include "playhouse/wire/header.h"
 
 namespace playhouse::drivers {
+namespace {
+
+constexpr double kLongestWait = 3600;  // s
+
+}  // namespace
 
 HardwareOptions read_hardware_options(SectionFields& fields, LinePlace place, bool moves) {
   HardwareOptions options{.place = std::move(place)};
@@ -21,7 +27,11 @@ HardwareOptions read_hardware_options(SectionFields& fields, LinePlace place, bo
       false);
   if (moves)
     options.watchdog = fields.number(
-        {"watchdog", "The wheels stop when no command has come for so long; 0: the last one holds.", "s"}, 0);
+        {"watchdog",
+         "The wheels stop when no command has come for so long, an hour at most; 0: the last one holds.",
+         "s"},
+        0);
+  fields.expect(options.watchdog <= kLongestWait, "watchdog", "is 3600 s at most");
   return options;
 }
 
@@ -81,11 +91,14 @@ Result<void> HardwareDriver::start(device::DeviceId device) {
   return {};
 }
 
+/// After the commands that came before.
 void HardwareDriver::stop(device::DeviceId device) {
-  const std::size_t number = number_of(device);
-  --devices_[number].open;
-  closed(number);
-  if (--open_ == 0) close_line();
+  site_.surroundings().post([alive = std::weak_ptr<int>(alive_), this, number = number_of(device)] {
+    if (alive.expired()) return;
+    --devices_[number].open;
+    closed(number);
+    if (--open_ == 0) close_line();
+  });
 }
 
 void HardwareDriver::finish() {
@@ -99,15 +112,31 @@ void HardwareDriver::close_line() {
   told_.clear();
   if (line_.is_open()) ending();
   line_.close();
+  forget_start();
   forgot();
+}
+
+void HardwareDriver::started() {
+  is_ready_ = true;
+  for (const auto& ask : std::exchange(waiting_requests_, {})) ask();
+  for (const auto& [key, body] : std::exchange(waiting_commands_, {})) commands_.at(key)(body);
+}
+
+/// Those who wait get NACK.
+void HardwareDriver::forget_start() {
+  is_ready_ = false;
+  waiting_requests_.clear();
+  waiting_commands_.clear();
 }
 
 device::Taken HardwareDriver::command(const device::Message& message) {
   const auto found = commands_.find({number_of(message.device), message.subtype});
   if (found == commands_.end()) return device::Taken::kNo;
-  site_.surroundings().post([alive = std::weak_ptr<int>(alive_), this, take = &found->second,
+  site_.surroundings().post([alive = std::weak_ptr<int>(alive_), this, &command = *found,
                              body = CommandBody(message.body.begin(), message.body.end())] {
-    if (!alive.expired() && line_.is_open()) (*take)(body);
+    if (alive.expired()) return;
+    if (is_ready_) return command.second(body);
+    if (open_ > 0) waiting_commands_[command.first] = body;
   });
   return device::Taken::kQueued;
 }
@@ -117,10 +146,14 @@ void HardwareDriver::request(const device::Message& message, device::Replier rep
   if (found == requests_.end()) return;
   // A std::function must be copyable.
   const auto shared = std::make_shared<device::Replier>(std::move(replier));
-  site_.surroundings().post([alive = std::weak_ptr<int>(alive_), shared, answer = &found->second,
+  site_.surroundings().post([this, alive = std::weak_ptr<int>(alive_), shared, answer = &found->second,
                              body = CommandBody(message.body.begin(), message.body.end())] {
     if (alive.expired()) return;
-    if (AnswerBody answered = (*answer)(body)) shared->ack(std::move(*answered));
+    const auto ask = [shared, answer, body] {
+      if (AnswerBody answered = (*answer)(body)) shared->ack(std::move(*answered));
+    };
+    if (is_ready_ || open_ == 0) return ask();
+    if (waiting_requests_.size() < limits::kSessionAnswers) waiting_requests_.push_back(ask);
   });
 }
 
@@ -147,18 +180,19 @@ void HardwareDriver::feed_watchdog() {
 // --- the line
 
 void HardwareDriver::line_opened() {
-  if (!told_.empty()) inform(line_.name() + " is open again");
+  is_ready_ = !starts_up();
   began();
 }
 
 void HardwareDriver::line_received(std::span<const std::byte> bytes) {
   wait_ = 0;
-  told_.clear();
+  if (!std::exchange(told_, "").empty()) inform(line_.name() + " answers again");
   received(bytes);
 }
 
 void HardwareDriver::line_lost(const std::string& why) {
   watchdog_.reset();
+  forget_start();
   forgot();
   if (!options_.reconnects) {
     log::error("driver {}: {}: {}: its devices retire", in_quotes(name_), line_.name(), why);

@@ -97,6 +97,8 @@ class HardwareDriver : public device::Driver, private LineEvents {
   Site& site() { return site_; }
   void send(std::span<const std::byte> bytes) { line_.send(bytes); }
   [[nodiscard]] std::unique_ptr<net::Timer> after(double seconds, std::function<void()> task);
+  /// Of the network's clock, which begins at no certain time. [s]
+  double now() const { return site_.surroundings().network().now(); }
   /// Lines of the log, of this section.
   void inform(const std::string& text) const;
   void warn(const std::string& text) const;
@@ -104,6 +106,12 @@ class HardwareDriver : public device::Driver, private LineEvents {
   void give_up(const std::string& why);
   /// The wheels have got a command: they stop if none follows within `watchdog`.
   void feed_watchdog();
+
+  /// True for hardware that has to be spoken to first: until started() requests wait, and of each command the latest.
+  virtual bool starts_up() const { return false; }
+  /// The start-up is over.
+  void started();
+  bool has_clients() const { return open_ > 0; }
 
   /// The line is open: it begins to talk.
   virtual void began() = 0;
@@ -132,6 +140,7 @@ class HardwareDriver : public device::Driver, private LineEvents {
   void line_lost(const std::string& why) override;
   void retry();
   void close_line();
+  void forget_start();
   void retire_all();
   std::size_t number_of(device::DeviceId device) const;
   void publish_body(std::size_t device, std::uint8_t subtype, CommandBody body);
@@ -145,6 +154,9 @@ class HardwareDriver : public device::Driver, private LineEvents {
   std::map<DeviceKey, std::function<AnswerBody(const CommandBody&)>> requests_;
 
   int open_ = 0;
+  bool is_ready_ = false;  // for commands and requests
+  std::map<DeviceKey, CommandBody> waiting_commands_;
+  std::vector<std::function<void()>> waiting_requests_;
   std::string told_;  // why the line is lost, in the log
   double wait_ = 0;   // s until the next attempt
   HardwareLine line_;

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "playhouse/base/limits.h"
+
 namespace playhouse::drivers {
 namespace {
 
@@ -88,7 +90,7 @@ void HardwareLine::close() {
 
 void HardwareLine::send(std::span<const std::byte> bytes) {
   if (serial_ != nullptr) return serial_->send(bytes);
-  if (connection_ == nullptr) return;
+  if (connection_ == nullptr || connection_->in_flight_bytes() + bytes.size() > limits::kSerialBytes) return;
   const auto shared = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
   connection_->send(std::span(&shared, 1));
 }

@@ -53,6 +53,7 @@ class HardwareLine final : private net::SerialEvents, private net::ConnectionEve
   /// What was sent is passed on; no events follow.
   void close();
   bool is_open() const { return serial_ != nullptr || connection_ != nullptr; }
+  /// What would exceed limits::kSerialBytes of waiting bytes is lost as a whole.
   void send(std::span<const std::byte> bytes);
   /// Of a serial port; no effect on TCP.
   Result<void> set(const net::SerialSettings& settings);

@@ -28,7 +28,8 @@ constexpr int kTriesOfBaud = 3;
 constexpr double kAnswerSeconds = 0.6;  // a robot that has heard answers at once
 constexpr double kSilentSeconds = 3;    // without a packet of ten a second
 constexpr int kCounts = 4096;           // of the counters of x and y
-constexpr double kLongestStep = 100;    // mm from one packet to the next; more is a fault of the line
+constexpr double kLongestStep =
+    100;  // beyond what its wheels    // mm from one packet to the next; more is a fault of the line
 constexpr int kMostWheelUnits = 126;
 constexpr double kFullBattery = 12;   // V
 constexpr double kAxleOffset = -0.1;  // m, of the middle of the base behind the axle
@@ -58,13 +59,14 @@ P2osOptions p2os_options(SectionFields& fields) {
   options.max_speed = fields.length({"max_xspeed", "Of a wheel.", "m/s"}, 0.5, 0.001);
   options.max_turn_rate =
       fields.angle({"max_yawspeed", "With a speed and a turn rate of their own.", "deg/s"}, 100 * kDegree);
+  // The original's files have slowing down with either sign.
   const auto acceleration = [&](std::string_view name, std::string_view doc) {
-    return whole(1000 * fields.length({name, doc, "m/s^2"}, 0, 0));
+    return whole(1000 * std::fabs(fields.length({name, doc, "m/s^2"}, 0, SectionFields::kAnyNumber)));
   };
   options.acceleration = {acceleration("max_xaccel", "To be faster; 0: as the robot is set."),
                           acceleration("max_xdecel", "To be slower; 0: as the robot is set.")};
   const auto turning = [&](std::string_view name, std::string_view doc) {
-    return whole(fields.angle({name, doc, "deg/s^2"}, 0) / kDegree);
+    return whole(std::fabs(fields.angle({name, doc, "deg/s^2"}, 0, 0, SectionFields::kAnyNumber)) / kDegree);
   };
   options.turn_acceleration = {turning("max_yawaccel", "The same of turning."),
                                turning("max_yawdecel", "The same of turning.")};
@@ -80,7 +82,9 @@ P2osOptions p2os_options(SectionFields& fields) {
       {"pulse",
        "Time between two signs of life, without which the robot stops after its watchdog's time; 0: none.",
        "s"},
-      1, 0);
+      1, -1);
+  fields.expect(options.pulse <= 0 || (options.pulse >= 0.1 && options.pulse <= 3600), "pulse",
+                "is 0, or from 0.1 s to 3600 s");
   options.takes_joystick = fields.flag({"joystick", "1: a joystick at the robot may drive it."}, false);
   return options;
 }
@@ -100,11 +104,13 @@ P2os::P2os(std::string name, Site& site, const P2osOptions& options)
 
 void P2os::began() {
   tries_ = 0;
+  if (baud_ != 0) static_cast<void>(line().set({.baud = kBauds[baud_]}));  // as it answered the last time
   ask_for_sync();
 }
 
 void P2os::ask_for_sync() {
   stage_ = Stage::kSync0;
+  has_closed_ = false;
   reader_.clear();
   send(p2os::encode_command(p2os::kSync0));
   wait_for_answer();
@@ -140,7 +146,8 @@ void P2os::take(std::span<const std::byte> data) {
 void P2os::take_sync(std::span<const std::byte> data) {
   const std::uint8_t type = u8(data, 0);
   if (p2os::is_sip(type)) {
-    if (stage_ == Stage::kSync0) send(p2os::encode_command(p2os::kClose));
+    if (stage_ == Stage::kSync0 && !std::exchange(has_closed_, true))
+      send(p2os::encode_command(p2os::kClose));
     return;
   }
   if (stage_ == Stage::kSync0 && type == p2os::kSync0) {
@@ -168,11 +175,12 @@ void P2os::run(const p2os::RobotNames& names) {
   }
   stage_ = Stage::kRuns;
   last_.reset();
-  X_OR_ = {};
   ranges_.assign(static_cast<std::size_t>(model_->sonars), 0.0F);
   send(p2os::encode_command(p2os::kOpen));
   send_options();
   pulse();
+  may_command_ = true;
+  started();
   patience_ = after(kSilentSeconds, [this] { give_up("the robot is silent"); });
 }
 
@@ -199,7 +207,7 @@ void P2os::send_gains() {
 }
 
 void P2os::pulse() {
-  if (options_.pulse == 0) return;
+  if (options_.pulse <= 0) return;
   pulse_ = after(options_.pulse, [this] {
     send(p2os::encode_command(p2os::kPulse));
     pulse();
@@ -230,6 +238,10 @@ void P2os::ending() {
 
 void P2os::forgot() {
   stage_ = Stage::kClosed;
+  // A robot that comes back counts from where it is.
+  X_CO_ = has_clients() ? geom::compose(X_CO_, X_OR_) : geom::Pose{};
+  X_OR_ = {};
+  wanted_.reset();
   patience_.reset();
   pulse_.reset();
   reader_.clear();
@@ -241,6 +253,9 @@ void P2os::take_sip(const p2os::Sip& sip) {
   patience_ = after(kSilentSeconds, [this] { give_up("the robot is silent"); });
   add_to_odometry(sip);
   last_ = sip;
+  heard_ = now();
+  may_command_ = true;
+  send_wanted();
   publish_pose(sip);
   publish_compass(sip);
   publish_ranges(sip);
@@ -259,7 +274,10 @@ void P2os::add_to_odometry(const p2os::Sip& sip) {
     return difference * model_->distance_unit;  // mm
   };
   const double x = counted(sip.x, last_->x), y = counted(sip.y, last_->y);
-  if (std::fabs(x) > kLongestStep || std::fabs(y) > kLongestStep) return;
+  const int fastest =
+      std::max({std::abs(sip.left), std::abs(sip.right), std::abs(last_->left), std::abs(last_->right)});
+  const double longest = kLongestStep + fastest * model_->speed_unit * (now() - heard_);
+  if (std::fabs(x) > longest || std::fabs(y) > longest) return;
   X_OR_.x += x / 1000;
   X_OR_.y += y / 1000;
 }
@@ -326,8 +344,9 @@ void P2os::publish_inputs(const p2os::Sip& sip) {
 
 void P2os::register_wheels() {
   on_command<p2d::CmdVel>(kWheels, p2d::kCmdVel, [this](const p2d::CmdVel& wanted) {
+    if (!std::isfinite(wanted.vel.px) || !std::isfinite(wanted.vel.pa)) return;
     feed_watchdog();
-    drive(wanted.vel.px, wanted.vel.pa);
+    drive({wanted.vel.px, 0, 0, wanted.vel.pa});
   });
   on_question(kWheels, p2d::kReqGetGeom, [this]() -> AnswerBody {
     return wire::encode(p2d::Geom{{kAxleOffset, 0, 0, 0, 0, 0}, {model_->width, model_->length, 0}});
@@ -388,8 +407,18 @@ void P2os::register_gripper() {
   });
 }
 
-void P2os::drive(double speed, double turn_rate) {
-  if (stage_ != Stage::kRuns || !std::isfinite(speed) || !std::isfinite(turn_rate)) return;
+void P2os::drive(const geom::Twist& wanted) {
+  wanted_ = wanted;
+  send_wanted();
+}
+
+void P2os::send_wanted() {
+  if (!may_command_ || !wanted_) return;
+  may_command_ = false;
+  constexpr double kMost = 1000;  // m/s and rad/s, so that nothing overflows on the way to the limits
+  const double speed = std::clamp(wanted_->x, -kMost, kMost),
+               turn_rate = std::clamp(wanted_->a, -kMost, kMost);
+  wanted_.reset();
   if (!separate_speeds_) return turn_wheels(1000 * speed, turn_rate / model_->wheel_factor);
   const double fastest = 1000 * options_.max_speed;
   send(p2os::encode_command(p2os::kVelocity, whole(std::clamp(1000 * speed, -fastest, fastest))));
@@ -408,8 +437,11 @@ void P2os::turn_wheels(double speed, double difference) {
   send(p2os::encode_command_of_bytes(p2os::kWheels, units(speed + difference), units(speed - difference)));
 }
 
+/// At once.
 void P2os::stop_wheels() {
-  drive(0, 0);
+  if (stage_ != Stage::kRuns) return;
+  may_command_ = true;
+  drive({});
 }
 
 AnswerBody P2os::set_motors(bool on) {

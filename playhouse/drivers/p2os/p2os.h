@@ -46,6 +46,7 @@ class P2os final : public HardwareDriver {
  private:
   enum class Stage : std::uint8_t { kClosed, kSync0, kSync1, kSync2, kRuns };
 
+  bool starts_up() const override { return true; }
   void began() override;
   void received(std::span<const std::byte> bytes) override;
   void opened(std::size_t device) override;
@@ -79,8 +80,9 @@ class P2os final : public HardwareDriver {
   void register_wheels();
   void register_sensors();
   void register_gripper();
-  void drive(double speed, double turn_rate);
-  void turn_wheels(double speed, double turn_rate);
+  void drive(const geom::Twist& wanted);
+  void send_wanted();
+  void turn_wheels(double speed, double difference);
   AnswerBody set_motors(bool on);
   AnswerBody set_sonars(bool on);
   AnswerBody set_pose(const geom::Pose& pose);
@@ -93,11 +95,16 @@ class P2os final : public HardwareDriver {
   std::size_t baud_ = 0;  // number of the speed of the line
   int tries_ = 0;         // of SYNC0 at this speed
   bool separate_speeds_ = false;
+  bool has_closed_ = false;  // the robot that was still open
+  // The wheels get a command a packet, the latest, as a line has no time for more.
+  std::optional<geom::Twist> wanted_;
+  bool may_command_ = false;
   std::unique_ptr<net::Timer> patience_, pulse_;
 
   std::optional<p2os::Sip> last_;
-  geom::Pose X_OR_;  // counted, since the robot was opened
-  geom::Pose X_CO_;  // of those counts in the frame that clients have set
+  double heard_ = 0;  // s, when it came
+  geom::Pose X_OR_;   // counted, since the robot was opened
+  geom::Pose X_CO_;   // of those counts in the frame that clients have set
   std::vector<float> ranges_;
 };
 

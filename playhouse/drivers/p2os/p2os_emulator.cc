@@ -14,6 +14,7 @@ namespace p2d = wire::position2d;
 namespace {
 
 constexpr double kRadPerDegree = std::numbers::pi / 180;
+constexpr std::size_t kNameLetters = 19;   // as hosts have room for
 constexpr double kCycle = 0.1;             // s between two packets
 constexpr std::size_t kSonarsOfCycle = 4;  // that fire
 constexpr int kCounterBits = 0x7FFF;       // of x and y
@@ -42,8 +43,10 @@ P2osEmulatorOptions p2os_emulator_options(SectionFields& fields) {
   if (options.model == nullptr) options.model = p2os::robot_models().data();
   options.robot_name = fields.text({"robot_name", "Name that it tells.", {}, "Playhouse"});
   if (options.robot_name.empty()) options.robot_name = "Playhouse";
+  fields.expect(options.robot_name.size() <= kNameLetters, "robot_name", "has 19 letters at most");
   options.watchdog =
       fields.number({"watchdog", "It stops when the host has said nothing for so long.", "s"}, 2, 0.1);
+  fields.expect(options.watchdog <= 3600, "watchdog", "is 3600 s at most");
   options.needs_motors_on = fields.flag(
       {"needs_motors_on", "0: it drives without ENABLE, as hosts expect that do not send it."}, true);
   return options;
@@ -105,6 +108,7 @@ void P2osEmulator::close() {
   drive(0, 0);
   is_open_ = false;
   synced_ = 0;
+  reader_.clear();
   cycle_.reset();
   watchdog_.reset();
 }
@@ -139,8 +143,8 @@ void P2osEmulator::obey(const p2os::ReadCommand& command) {
     case p2os::kGripper:
       return grip(value);
     case p2os::kDigitalOut:
-      return command_device(kDio, wire::dio::kCmdValues,
-                            wire::dio::Cmd{8, static_cast<std::uint32_t>(command.low & command.high)});
+      outputs_ = static_cast<std::uint8_t>((outputs_ & ~command.high) | (command.low & command.high));
+      return command_device(kDio, wire::dio::kCmdValues, wire::dio::Cmd{8, outputs_});
     default:  // as the robot does with what it does not know
       return;
   }
@@ -204,9 +208,9 @@ void P2osEmulator::add_sonars(p2os::Sip& sip) {
   for (std::size_t i = 0; i < std::min(count, kSonarsOfCycle); ++i, next_sonar_ = (next_sonar_ + 1) % count) {
     next_sonar_ %= count;
     const auto millimetres = static_cast<double>(1000 * ranges[next_sonar_]);
-    sip.sonars.push_back(
-        {static_cast<std::uint8_t>(next_sonar_),
-         static_cast<std::uint16_t>(units(std::max(0.0, millimetres), options_.model->range_unit))});
+    sip.sonars.push_back({static_cast<std::uint8_t>(next_sonar_),
+                          static_cast<std::uint16_t>(std::lround(
+                              std::clamp(millimetres / options_.model->range_unit, 0.0, 65535.0)))});
   }
 }
 

@@ -39,6 +39,8 @@ class P2osEmulator final : public Emulator {
 
  private:
   void line_received(std::span<const std::byte> bytes) override;
+  void line_paused() override { reader_.clear(); }
+  void reset() override { close(); }
 
   void take(const p2os::ReadCommand& command);
   bool take_sync(const p2os::ReadCommand& command);
@@ -60,6 +62,7 @@ class P2osEmulator final : public Emulator {
   int synced_ = 0;        // of the three
   bool is_open_ = false;  // sends packets
   bool motors_on_ = false, sonars_on_ = false;
+  std::uint8_t outputs_ = 0;          // digital
   double speed_ = 0, turn_rate_ = 0;  // m/s, rad/s: wanted
   geom::Pose X_OS_;                   // where the robot was at SETO, in its odometry
   std::size_t next_sonar_ = 0;

@@ -65,27 +65,25 @@ std::optional<ReadCommand> read_command(std::span<const std::byte> data) {
 }
 
 void FrameReader::add(std::span<const std::byte> bytes) {
+  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(at_));
+  at_ = 0;
   bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
 }
 
 std::optional<RawBytes> FrameReader::next() {
-  while (true) {
-    const auto begin = std::adjacent_find(
-        bytes_.begin(), bytes_.end(), [](std::byte a, std::byte b) { return a == kFirst && b == kSecond; });
-    const bool ends_with_first = !bytes_.empty() && bytes_.back() == kFirst;
-    bytes_.erase(bytes_.begin(), begin == bytes_.end() && ends_with_first ? bytes_.end() - 1 : begin);
-    if (bytes_.size() < kBefore) return std::nullopt;
-    const std::size_t count = u8(bytes_, 2);
+  for (;; ++at_) {
+    const std::span<const std::byte> rest = std::span(bytes_).subspan(at_);
+    if (rest.size() < kBefore) return std::nullopt;
+    if (rest[0] != kFirst || rest[1] != kSecond) continue;
+    const std::size_t count = u8(rest, 2);
     const bool is_count = count >= kLeastCount && count <= kMostCount;
-    if (is_count && bytes_.size() < kBefore + count) return std::nullopt;
-    const std::span<const std::byte> data = std::span(bytes_).subspan(kBefore, is_count ? count - 2 : 0);
-    if (is_count && checksum(data) == u16_be(bytes_, kBefore + data.size())) {
-      RawBytes found(data.begin(), data.end());
-      bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(kBefore + count));
-      return found;
+    if (is_count && rest.size() < kBefore + count) return std::nullopt;
+    const std::span<const std::byte> data = rest.subspan(kBefore, is_count ? count - 2 : 0);
+    if (is_count && checksum(data) == u16_be(rest, kBefore + data.size())) {
+      at_ += kBefore + count;
+      return RawBytes(data.begin(), data.end());
     }
-    ++damaged_;
-    bytes_.erase(bytes_.begin(), bytes_.begin() + 2);  // a whole frame may begin within it
+    ++damaged_;  // a whole frame may begin within it
   }
 }
 

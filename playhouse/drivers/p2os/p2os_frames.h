@@ -89,12 +89,16 @@ class FrameReader {
   void add(std::span<const std::byte> bytes);
   /// The data of the next whole frame.
   std::optional<RawBytes> next();
-  void clear() { bytes_.clear(); }
+  void clear() {
+    bytes_.clear();
+    at_ = 0;
+  }
   /// Frames that were left out.
   std::size_t damaged() const { return damaged_; }
 
  private:
   RawBytes bytes_;
+  std::size_t at_ = 0;  // what is before was looked at
   std::size_t damaged_ = 0;
 };
 

@@ -77,6 +77,7 @@ TEST_F(P2osScript, a_robot_that_is_still_open_is_closed_first) {
 TEST_F(P2osScript, wheels_turn_as_with_the_original) {
   open();
   const auto wheels_of = [&](double speed, double turn_rate) {
+    robot.send(p2os::encode_sip({.sonars = {}}));
     robot.take();
     client->ask(drive(speed, turn_rate));
     return to_hex(robot.take());
@@ -87,6 +88,59 @@ TEST_F(P2osScript, wheels_turn_as_with_the_original) {
   EXPECT_EQ(wheels_of(0.2, 0.5).substr(15, 5), "0e 06");
   EXPECT_EQ(wheels_of(-0.1, -0.3).substr(15, 5), "f8 fe");
   EXPECT_EQ(wheels_of(NAN, 0), "");
+}
+
+TEST_F(P2osScript, numbers_beyond_all_limits_are_at_the_limits) {
+  open();
+  const auto wheels_of = [&](double speed, double turn_rate) {
+    robot.send(p2os::encode_sip({.sonars = {}}));
+    robot.take();
+    client->ask(drive(speed, turn_rate));
+    return to_hex(robot.take()).substr(15, 5);
+  };
+  EXPECT_EQ(wheels_of(1e306, 0), "19 19");
+  EXPECT_EQ(wheels_of(-1e308, 0), "e7 e7");
+  EXPECT_EQ(wheels_of(0, 1e308), "19 e7");
+}
+
+/// 9600 baud have no time for more.
+TEST_F(P2osScript, the_wheels_get_the_latest_command_with_each_packet) {
+  open();
+  client->ask(drive(0.1, 0));
+  EXPECT_EQ(to_hex(robot.take()), "fa fb 06 20 3b 05 05 25 40") << "the first one at once";
+  for (int k = 0; k < 50; ++k) client->ask(drive(0.2, 0));
+  client->ask(drive(0, 0));
+  EXPECT_EQ(to_hex(robot.take()), "");
+  robot.send(p2os::encode_sip({.sonars = {}}));
+  EXPECT_EQ(to_hex(robot.take()), "fa fb 06 20 3b 00 00 20 3b");
+}
+
+TEST_F(P2osScript, what_comes_before_the_robot_has_started_waits) {
+  client = client_of(p2d::kCode, 1);
+  for (const double speed : {0.1, 0.2}) client->ask(drive(speed, 0));
+  EXPECT_TRUE(client->ask(question(p2d::kCode, p2d::kReqGetGeom, 1)).empty());
+  robot.take();
+  for (const char* const answer : {"fa fb 03 00 00 00", "fa fb 03 01 00 01"}) {
+    robot.send(from_hex(answer));
+    robot.take();
+  }
+  robot.send(p2os::encode_names({"small", "Pioneer", "amigo-sh"}));
+  EXPECT_TRUE(to_hex(robot.take()).ends_with("fa fb 06 04 3b 01 00 05 3b fa fb 06 20 3b 0a 0a 2a 45"))
+      << "motors, wheels";
+  const std::vector<server::Received> answers = client->read();
+  ASSERT_EQ(answers.size(), 1u);
+  EXPECT_NEAR(wire::decode<p2d::Geom>(answers[0].body)->size.sl, 0.33, 1e-9);
+}
+
+TEST_F(P2osScript, wheels_are_at_rest_when_the_last_words_of_a_client_were_a_command) {
+  const auto sonar = client_of(wire::sonar::kCode, 1);
+  open();
+  robot.take();
+  Bytes last = drive(0.2, 0);
+  const Bytes close = server::open_request(p2d::kCode, 1, 2);
+  last.insert(last.end(), close.begin(), close.end());
+  client->ask(last);
+  EXPECT_TRUE(to_hex(robot.take()).ends_with("fa fb 06 20 3b 00 00 20 3b fa fb 06 04 3b 00 00 04 3b"));
 }
 
 /// Frames of the capture, in which the original's client read 0.208, 0.034 and 0.454 rad (26 degrees) at the last one.
@@ -267,6 +321,59 @@ TEST_F(P2osPair, a_robot_at_another_speed_is_found) {
   network_.run_for(0.2);
   ASSERT_FALSE(wheels.commands.empty());
   EXPECT_NEAR(wanted().vel.px, 0.2, 0.01);
+}
+
+TEST_F(P2osPair, a_robot_at_another_speed_is_found_again_at_once) {
+  begin(" reconnect 1", " baud 38400");
+  network_.run_for(5);
+  client->peer.reset();
+  network_.run_for(1);
+  client = client_of(p2d::kCode, 1);
+  network_.run_for(2);
+  client->ask(drive(0.2, 0));
+  network_.run_for(0.3);
+  EXPECT_NEAR(wanted().vel.px, 0.2, 0.01);
+}
+
+TEST_F(P2osPair, a_pose_that_was_set_ends_with_the_last_client) {
+  begin();
+  const auto pose = [this] { return latest<p2d::Data>(*client, p2d::kCode, p2d::kDataState, 0.3).pos; };
+  client->ask(request(p2d::kCode, p2d::kReqSetOdom, p2d::SetOdomReq{{7, 8, 1}}, 1));
+  EXPECT_NEAR(pose().px, 7, 0.001);
+  client->peer.reset();
+  network_.run_for(1);
+  client = client_of(p2d::kCode, 1);
+  network_.run_for(2);
+  EXPECT_NEAR(pose().px, 0, 0.001);
+}
+
+TEST_F(P2osPair, a_fast_robot_is_followed) {
+  begin(" max_xspeed 1.5");
+  for (int cycle = 0; cycle <= 20; ++cycle) {
+    publish(p2d::kCode, p2d::kDataState, p2d::Data{{0.14 * cycle, 0, 0}, {1.4, 0, 0}, 0});
+    network_.run_for(0.1);
+  }
+  EXPECT_NEAR(latest<p2d::Data>(*client, p2d::kCode, p2d::kDataState, 0.3).pos.px, 2.8, 0.15);
+}
+
+TEST_F(P2osPair, half_a_frame_and_an_end_do_not_matter) {
+  ASSERT_EQ(build(kEmulator), "");
+  {
+    auto line = *network_.open_serial("/dev/robot", {});
+    line->send(from_hex("fa fb f9 00 fa fb"));
+    network_.run_for(1);
+    line->send(p2os::encode_command(p2os::kSync0));
+    network_.run_for(1);
+    for (const RawBytes& bytes : {p2os::encode_command(p2os::kSync1), p2os::encode_command(p2os::kSync2),
+                                  p2os::encode_command(p2os::kOpen), p2os::encode_command(p2os::kEnable, 1),
+                                  p2os::encode_command_of_bytes(p2os::kWheels, 10, 10)})
+      line->send(bytes);
+    network_.run_for(0.5);
+  }
+  ASSERT_FALSE(wheels.commands.empty());
+  EXPECT_NEAR(wanted().vel.px, 0.2, 0.01);
+  drivers.back()->finish();
+  EXPECT_EQ(wanted().vel.px, 0) << "the program has ended";
 }
 
 TEST_F(P2osPair, a_noisy_line_loses_packets_and_nothing_else) {

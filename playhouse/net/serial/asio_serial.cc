@@ -38,8 +38,8 @@ class SerialStream : public std::enable_shared_from_this<SerialStream> {
   }
 
   void send(std::span<const std::byte> bytes) {
+    if (waiting_.size() + bytes.size() > limits::kSerialBytes && !make_room(bytes.size())) return;
     waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
-    if (waiting_.size() > limits::kSerialBytes) drop();
     if (!writes_) write();
   }
 
@@ -83,11 +83,12 @@ class SerialStream : public std::enable_shared_from_this<SerialStream> {
     });
   }
 
-  /// What is too much: the oldest of what nobody reads, the newest of what the line has no time for.
-  void drop() {
-    const auto excess = static_cast<std::ptrdiff_t>(waiting_.size() - limits::kSerialBytes);
-    overrun_ ? waiting_.erase(waiting_.begin(), waiting_.begin() + excess)
-             : waiting_.erase(waiting_.end() - excess, waiting_.end());
+  /// Of what nobody reads the oldest is dropped, and so is what is newest of a line that has no time for it: false.
+  bool make_room(std::size_t bytes) {
+    if (!overrun_ || bytes > limits::kSerialBytes) return false;
+    const std::size_t excess = waiting_.size() + bytes - limits::kSerialBytes;
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(excess));
+    return true;
   }
 
   IoLoop::Impl& loop_;

@@ -39,7 +39,8 @@ class SerialLine {
   virtual ~SerialLine() = default;
   /// Starts reading. `events` must outlive the line.
   virtual void start(SerialEvents& events) = 0;
-  /// Sends in order, as fast as the line takes it. What exceeds limits::kSerialBytes of waiting bytes is lost.
+  /// Sends in order, as fast as the line takes it. What would exceed limits::kSerialBytes of waiting bytes is lost as a whole;
+  /// of a terminal the oldest of them are.
   virtual void send(std::span<const std::byte> bytes) = 0;
   /// Changes how bytes travel from now on.
   virtual Result<void> set(const SerialSettings& settings) = 0;

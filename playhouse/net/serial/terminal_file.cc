@@ -110,7 +110,7 @@ Result<PseudoTerminal> open_pseudo_terminal(const std::string& link, const Seria
   if (other.get() < 0) return system_error(name, "cannot be opened");
   if (const Result<void> set = set_terminal(other.get(), name, settings); !set) return set.error();
   std::error_code error;
-  if (std::filesystem::is_symlink(link, error) &&
+  if (std::filesystem::is_symlink(link, error) && !std::filesystem::exists(link, error) &&
       std::filesystem::read_symlink(link, error).string().starts_with(kTerminals))
     std::filesystem::remove(link, error);
   std::filesystem::create_symlink(name, link, error);

@@ -29,7 +29,7 @@ struct PseudoTerminal {
   void remove() const;
 };
 
-/// Makes one, found at `link`, in place of a link there that leads to a pseudo-terminal.
+/// Makes one, found at `link`, in place of a link there that a killed program left, if its terminal is gone.
 Result<PseudoTerminal> open_pseudo_terminal(const std::string& link, const SerialSettings& settings);
 
 }  // namespace playhouse::net

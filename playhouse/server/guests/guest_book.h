@@ -99,7 +99,7 @@ inline constexpr std::size_t kUnguessableLetters = 20;
 /// Networks whose wrong tokens are remembered.
 inline constexpr std::size_t kGuessingNetworks = 4096;
 
-/// True for 8 to 128 letters, digits, - and _.
+/// True for 8 to 32 letters, digits, - and _.
 bool is_token(std::string_view text);
 
 /// The same for a key that everybody shares, of 32 letters at most, as AUTH of Player has room for.
