@@ -382,8 +382,7 @@ struct MadePlugin {
   std::unique_ptr<Plugin> plugin;
 };
 
-Result<MadePlugin> make_in_this_process(const config::CfgSection& section,
-                                        const libraries::WantedLibrary& wanted,
+Result<MadePlugin> make_in_this_process(const libraries::WantedLibrary& wanted,
                                         const libraries::Libraries& libraries,
                                         std::vector<std::string>& warnings) {
   MadePlugin made;
@@ -392,7 +391,7 @@ Result<MadePlugin> make_in_this_process(const config::CfgSection& section,
   made.library = std::move(*library);
   if (made.library == nullptr) return made;
   auto plugin = made.library->make<Plugin>();
-  if (!plugin) return Error{section.at("plugin"), plugin.error().line()};
+  if (!plugin) return Error{wanted.where, plugin.error().line()};
   made.plugin = std::move(*plugin);
   return made;
 }
@@ -417,18 +416,33 @@ Result<MadePlugin> make_isolated(const config::CfgSection& section, Site& site,
   return MadePlugin{nullptr, std::move(*plugin)};
 }
 
-}  // namespace
-
-Result<std::unique_ptr<device::Driver>> make_plugin(const config::CfgSection& section, Site& site) {
-  std::vector<std::string> warnings;
+/// Where the library of a plug-in may be.
+libraries::Libraries libraries_for(const config::PluginField& plugin, Site& site) {
   libraries::Libraries libraries = site.surroundings().libraries();
-  const std::string beside = std::filesystem::path(section.filename("plugin", "")).parent_path().string();
+  const std::string beside = std::filesystem::path(plugin.folder).parent_path().string();
   libraries.folders =
       libraries::library_folders(beside.empty() ? "." : beside, "PLAYERPATH", program_folder());
-  const libraries::WantedLibrary wanted{kPluginAbi, section.text("plugin", ""), section.at("plugin"), {}};
+  return libraries;
+}
+
+libraries::WantedLibrary wanted_for(const config::PluginField& plugin) {
+  return {kPluginAbi, plugin.name, plugin.where, {}};
+}
+
+}  // namespace
+
+bool plugin_is_there(const config::PluginField& plugin, Site& site) {
+  return libraries::is_there(wanted_for(plugin), libraries_for(plugin, site));
+}
+
+Result<std::unique_ptr<device::Driver>> make_plugin(const config::CfgSection& section,
+                                                    const config::PluginField& plugin, Site& site) {
+  std::vector<std::string> warnings;
+  const libraries::Libraries libraries = libraries_for(plugin, site);
+  const libraries::WantedLibrary wanted = wanted_for(plugin);
   Result<MadePlugin> made = section.flag("isolated", false)
                                 ? make_isolated(section, site, wanted, libraries, warnings)
-                                : make_in_this_process(section, wanted, libraries, warnings);
+                                : make_in_this_process(wanted, libraries, warnings);
   if (!made) return made.error();
   for (const std::string& line : warnings) site.warn(line);
   auto shell =

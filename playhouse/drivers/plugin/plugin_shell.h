@@ -92,7 +92,10 @@ class PluginShell final : public device::Driver {
   PluginThread thread_;                                  // last member: it ends before what hooks use
 };
 
-/// The driver of a section whose field `plugin` names a library.
-Result<std::unique_ptr<device::Driver>> make_plugin(const config::CfgSection& section, Site& site);
+/// The driver of a section, from this library.
+Result<std::unique_ptr<device::Driver>> make_plugin(const config::CfgSection& section,
+                                                    const config::PluginField& plugin, Site& site);
+/// Whether its library can be found.
+bool plugin_is_there(const config::PluginField& plugin, Site& site);
 
 }  // namespace playhouse::drivers
