@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -43,19 +44,32 @@ class PluginDoor final : public PluginProgram {
   void publish(std::size_t provided, std::uint8_t subtype, std::vector<std::byte> body,
                double timestamp) override {
     pass([&](PluginShell& shell) {
+      const std::string fault =
+          std::isfinite(timestamp)
+              ? fault_of_message(shell.own_, wire::MessageType::kData, provided, subtype, body)
+              : "it has no time";
+      if (!fault.empty()) return shell.warn_once("data is left out: " + fault);
       if (provided < shell.ids_.size())
         shell.site_.data_flow().publish({{shell.ids_[provided], subtype, timestamp, std::move(body)}});
     });
   }
   void command(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body) override {
     pass([&](PluginShell& shell) {
-      if (used < shell.uses_) static_cast<void>(shell.client_.command(used, subtype, body));
+      const std::string fault = fault_of_message(shell.others_, wire::MessageType::kCmd, used, subtype, body);
+      if (!fault.empty()) return shell.warn_once("a command is left out: " + fault);
+      static_cast<void>(shell.client_.command(used, subtype, body));
     });
   }
   void ask(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body,
            AnswerHeard heard) override {
     pass([&](PluginShell& shell) {
-      if (used >= shell.uses_) return;
+      const std::string fault =
+          shell.is_connected_ ? fault_of_message(shell.others_, wire::MessageType::kReq, used, subtype, body)
+                              : "the program does not run yet";
+      if (!fault.empty()) {
+        shell.thread_.post_anyway([heard = std::move(heard)] { heard(false, {}); });
+        return shell.warn_once("a request gets NACK: " + fault);
+      }
       shell.client_.ask(used, subtype, body,
                         [&shell, heard = std::move(heard)](std::optional<std::vector<std::byte>> answer) {
                           const bool posted = shell.thread_.post([heard, answer = std::move(answer)] {
@@ -183,12 +197,11 @@ PluginShell::PluginShell(const config::CfgSection& section, Site& site, std::sha
     : name_(section.name()),
       where_(section.at()),
       site_(site),
-      uses_(section.addresses("requires").size()),
       library_(std::move(library)),
       plugin_(std::move(plugin)),
       isolated_(dynamic_cast<IsolatedPlugin*>(plugin_.get())),
       door_(std::make_shared<PluginDoor>(*this)),
-      client_(site.surroundings(), *this, uses_),
+      client_(site.surroundings(), *this, section.addresses("requires").size()),
       thread_(
           site.surroundings().has_threads() ? PluginThread::Hooks::kOnThread : PluginThread::Hooks::kOnCaller,
           [&network = site.surroundings().network()] { return network.now(); },
@@ -198,9 +211,9 @@ PluginShell::PluginShell(const config::CfgSection& section, Site& site, std::sha
 }
 
 PluginShell::~PluginShell() {
+  door_->shut();  // first: what it uses may be gone
   thread_.end();
   if (isolated_ != nullptr) isolated_->end(time_to_end());
-  door_->shut();
 }
 
 Result<void> PluginShell::begin(const config::CfgSection& section) {
@@ -208,36 +221,37 @@ Result<void> PluginShell::begin(const config::CfgSection& section) {
   if (!provides) return provides.error();
   const auto uses = devices_of(section, site_, "requires");
   if (!uses) return uses.error();
-  std::vector<PluginDevice> own, others;
   std::vector<device::Address> used;
   for (const auto& [device, address] : *provides) {
-    own.push_back(device);
+    own_.push_back(device);
     provides_.push_back(address);
   }
   for (const auto& [device, address] : *uses) {
-    others.push_back(device);
+    others_.push_back(device);
     used.push_back(address);
   }
   if (plugin_ != nullptr)
-    if (const Result<void> good = configure(section, own, others); !good) return good;
+    if (const Result<void> good = configure(section); !good) return good;
   for (const device::Address& address : provides_) {
     const Result<device::DeviceId> id = site_.add_device(address, *this);
     if (!id) return Error{section.at("provides"), id.error().text};
     ids_.push_back(*id);
   }
-  site_.add_user({this, &client_, provides_, used, section.at("requires"), [] { return Result<void>(); }});
+  const auto connected = [this] {
+    is_connected_ = true;
+    return Result<void>();
+  };
+  site_.add_user({this, &client_, provides_, used, section.at("requires"), connected});
   return {};
 }
 
-Result<void> PluginShell::configure(const config::CfgSection& section,
-                                    const std::vector<PluginDevice>& provides,
-                                    const std::vector<PluginDevice>& uses) {
-  plugin_->join(*door_, provides, uses);
+Result<void> PluginShell::configure(const config::CfgSection& section) {
+  plugin_->join(*door_, own_, others_);
   std::string thrown;
   if (const char* why = libraries::thrown_by(thrown, [&] { plugin_->configure(FileSection(section)); }))
     return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), why)};
   const Plugin::Registered& registered = plugin_->registered();
-  if (const std::string fault = fault_of(registered, provides, uses); !fault.empty())
+  if (const std::string fault = fault_of(registered, own_, others_); !fault.empty())
     return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), fault)};
   for (const auto& [key, hook] : registered.data)
     data_.emplace_back(client_.latest(key.first, key.second), hook);
@@ -315,7 +329,11 @@ bool PluginShell::capable(device::DeviceId device, std::uint8_t type, std::uint8
   const Plugin::Registered& registered = plugin_->registered();
   const Plugin::MessageKey key{number_of(device), subtype};
   if (type == static_cast<std::uint8_t>(wire::MessageType::kCmd)) return registered.commands.contains(key);
-  return type == static_cast<std::uint8_t>(wire::MessageType::kReq) && registered.requests.contains(key);
+  if (type != static_cast<std::uint8_t>(wire::MessageType::kReq)) return false;
+  const auto found = registered.requests.find(key);
+  if (found == registered.requests.end()) return false;
+  const auto* const passed_on = found->second.target<PassedOn>();
+  return passed_on == nullptr || client_.capable(passed_on->used, type, subtype);
 }
 
 void PluginShell::barrier(device::Replier replier) {
@@ -363,6 +381,10 @@ void PluginShell::failed(const std::string& why) {
     client_.close();
     site_.retire_later(provides_);
   });
+}
+
+void PluginShell::warn_once(const std::string& line) {
+  if (told_.add(line)) log::warn("driver {}: {}", in_quotes(name_), line);
 }
 
 /// All hooks and the end of a process share one time.

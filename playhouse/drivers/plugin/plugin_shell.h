@@ -20,6 +20,7 @@
 #include "playhouse/device/driver.h"
 #include "playhouse/drivers/isolated/isolated_plugin.h"
 #include "playhouse/drivers/plugin/plugin.h"
+#include "playhouse/drivers/plugin/plugin_messages.h"
 #include "playhouse/drivers/plugin/plugin_thread.h"
 #include "playhouse/drivers/site.h"
 
@@ -63,8 +64,7 @@ class PluginShell final : public device::Driver {
     const Take& take;
     std::atomic<bool> is_posted = false;  // a hook for it waits
   };
-  Result<void> configure(const config::CfgSection& section, const std::vector<PluginDevice>& provides,
-                         const std::vector<PluginDevice>& uses);
+  Result<void> configure(const config::CfgSection& section);
   std::size_t number_of(device::DeviceId device) const;
   bool post_close();
   void closed();
@@ -72,12 +72,13 @@ class PluginShell final : public device::Driver {
   void look();
   void step();
   void failed(const std::string& why);
+  void warn_once(const std::string& line);
 
   const std::string name_;
   const std::string where_;  // "file:line" of the section
   Site& site_;
-  const std::size_t uses_;
-  const std::shared_ptr<void> library_;  // outlives the plug-in
+  std::vector<PluginDevice> own_, others_;  // of `provides` and `requires`
+  const std::shared_ptr<void> library_;     // outlives the plug-in
   const std::shared_ptr<Plugin> plugin_;
   IsolatedPlugin* const isolated_;  // the plug-in, if it is one in a process of its own
   const std::shared_ptr<PluginDoor> door_;
@@ -86,6 +87,8 @@ class PluginShell final : public device::Driver {
   std::vector<device::DeviceId> ids_;
   std::deque<Datum> data_;
   int open_ = 0;  // own devices; io thread
+  ToldLines told_;
+  std::atomic<bool> is_connected_ = false;  // its client, with what it requires
   std::atomic<bool> has_failed_ = false;
   std::atomic<bool> step_waits_ = false;
   std::unique_ptr<net::Timer> look_timer_, step_timer_;  // io thread
