@@ -249,8 +249,9 @@ void DistantProgram::carry_out(const PluginFrame& frame) {
   switch (frame.kind) {
     case PluginFrameKind::kOpen:
       has_world_ = frame.flag;
+      plugin_->open();
       is_open_ = true;
-      return plugin_->open();
+      return;
     case PluginFrameKind::kClose:
       is_open_ = false;
       return plugin_->close();

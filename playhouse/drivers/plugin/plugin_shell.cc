@@ -21,6 +21,12 @@
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
+namespace {
+
+/// How long a plug-in that was opened for nobody stays so: what another one waits for beside it may take its time.
+constexpr double kUnusedSeconds = limits::kPluginSeconds + 1;
+
+}  // namespace
 
 class PluginDoor final : public PluginProgram {
  public:
@@ -32,9 +38,23 @@ class PluginDoor final : public PluginProgram {
     pass([&](PluginShell& shell) { shell.failed(why); });
   }
 
-  void closed() {
+  // Hooks.
+
+  /// What open() throws fails this opening alone.
+  void open(Plugin& plugin) {
+    std::string thrown;
+    is_open_ = libraries::thrown_by(thrown, [&] { plugin.open(); }) == nullptr;
+    const Result<void> outcome = is_open_ ? Result<void>() : Result<void>(Error{"", thrown});
+    pass([&](PluginShell& shell) {
+      shell.site_.surroundings().post([&shell, outcome] { shell.opened(outcome); });
+    });
+  }
+  void close(Plugin& plugin) {
+    if (std::exchange(is_open_, false)) plugin.close();
     pass([](PluginShell& shell) { shell.site_.surroundings().post([&shell] { shell.closed(); }); });
   }
+
+  // PluginProgram
 
   double time() const override {
     double time = 0;
@@ -98,6 +118,7 @@ class PluginDoor final : public PluginProgram {
   }
   PluginShell& shell_;
   mutable device::Gate gate_;
+  bool is_open_ = false;  // the plug-in; of hooks
 };
 
 namespace {
@@ -259,43 +280,73 @@ Result<void> PluginShell::configure(const config::CfgSection& section) {
   return {};
 }
 
-Result<void> PluginShell::start(device::DeviceId) {
-  if (plugin_ == nullptr) return Error{"", "the code of its driver is not loaded"};
-  if (has_failed_) return Error{"", fmt::format("driver {} has failed", in_quotes(name_))};
-  if (open_ == 0) {
-    if (!client_.is_open())  // it is if close() has not come back yet
-      if (const Result<void> opened = client_.open(); !opened) return opened;
-    thread_.post([plugin = plugin_.get()] { plugin->open(); });
-    look();
-    if (plugin_->registered().period > 0) step();
+void PluginShell::prepare(device::DeviceId device, Prepared heard) {
+  if (has_failed_) return heard(Error{"", fmt::format("driver {} has failed", in_quotes(name_))});
+  if (ready(device)) return heard({});
+  callers_.push_back(std::move(heard));
+  if (callers_.size() > 1) return;
+  client_.prepare([this](const Result<void>& outcome) { outcome ? open() : tell(outcome); });
+}
+
+/// What it requires can be opened.
+void PluginShell::open() {
+  if (!client_.is_open())  // it is if close() has not come back yet
+    if (const Result<void> opened = client_.open(); !opened) return tell(opened);
+  phase_ = Phase::kOpening;
+  look();
+  if (!thread_.post_anyway([plugin = plugin_.get(), door = door_] { door->open(*plugin); }))
+    opened(Error{"", fmt::format("driver {} has failed", in_quotes(name_))});
+}
+
+/// The hook has come back.
+void PluginShell::opened(const Result<void>& outcome) {
+  if (phase_ != Phase::kOpening) return;  // what it requires has retired
+  phase_ = outcome ? Phase::kOpen : Phase::kClosed;
+  if (outcome) {
+    unused_timer_ = site_.surroundings().network().after(kUnusedSeconds, [this] { close(); });
+  } else {
+    look_timer_.reset();
+    client_.close();
   }
-  ++open_;
+  tell(outcome);
+}
+
+void PluginShell::tell(const Result<void>& outcome) {
+  for (const Prepared& heard : std::exchange(callers_, {})) heard(outcome);
+}
+
+Result<void> PluginShell::start(device::DeviceId device) {
+  if (!ready(device)) return Error{"", fmt::format("driver {} is not open", in_quotes(name_))};
+  if (open_++ > 0 || plugin_ == nullptr) return {};
+  unused_timer_.reset();
+  if (plugin_->registered().period > 0) step();
   return {};
 }
 
 void PluginShell::stop(device::DeviceId) {
-  if (--open_ == 0 && !post_close()) client_.close();
+  if (--open_ == 0 && is_in_use()) close();
 }
 
-/// What it uses stays open until the plug-in has stopped what it moves. False: it has failed.
-bool PluginShell::post_close() {
+/// What it uses stays open until the plug-in has stopped what it moves.
+void PluginShell::close() {
   step_timer_.reset();
-  return thread_.post([plugin = plugin_.get(), door = door_] {
-    plugin->close();
-    door->closed();
-  });
+  unused_timer_.reset();
+  phase_ = Phase::kClosing;
+  if (!thread_.post_anyway([plugin = plugin_.get(), door = door_] { door->close(*plugin); })) closed();
 }
 
 void PluginShell::closed() {
-  if (open_ > 0) return;  // it was opened again
+  if (phase_ != Phase::kClosing) return;  // it was opened again
+  phase_ = Phase::kClosed;
   look_timer_.reset();
   client_.close();
 }
 
 /// Its own devices retire as well.
 void PluginShell::retired(device::DeviceId) {
-  if (client_.is_open()) post_close();
+  if (is_in_use()) close();
   client_.close();
+  tell(Error{"", "what it requires has retired"});
 }
 
 std::size_t PluginShell::number_of(device::DeviceId device) const {
@@ -303,7 +354,7 @@ std::size_t PluginShell::number_of(device::DeviceId device) const {
 }
 
 device::Taken PluginShell::command(const device::Message& message) {
-  if (!client_.is_open()) return device::Taken::kNo;  // it must not wait for the next client
+  if (phase_ != Phase::kOpen) return device::Taken::kNo;  // it must not wait for the next client
   const auto& commands = plugin_->registered().commands;
   const auto found = commands.find({number_of(message.device), message.subtype});
   if (found == commands.end()) return device::Taken::kNo;
@@ -312,7 +363,7 @@ device::Taken PluginShell::command(const device::Message& message) {
 }
 
 void PluginShell::request(const device::Message& message, device::Replier replier) {
-  if (!client_.is_open()) return;
+  if (phase_ != Phase::kOpen) return;
   const auto& requests = plugin_->registered().requests;
   const auto found = requests.find({number_of(message.device), message.subtype});
   if (found == requests.end()) return;
@@ -377,8 +428,11 @@ void PluginShell::failed(const std::string& why) {
   log::error("{}: driver {} has failed, and its devices retire: {}", where_, in_quotes(name_), why);
   thread_.end();
   if (isolated_ != nullptr) isolated_->kill(why);
-  site_.surroundings().post([this] {
+  site_.surroundings().post([this, why] {
+    phase_ = Phase::kClosed;
+    unused_timer_.reset();
     client_.close();
+    tell(Error{"", why});
     site_.retire_later(provides_);
   });
 }
@@ -389,6 +443,7 @@ void PluginShell::warn_once(const std::string& line) {
 
 /// All hooks and the end of a process share one time.
 void PluginShell::finish() {
+  if (is_in_use()) close();  // nobody has begun to use it yet
   if (isolated_ == nullptr) return thread_.finish();
   const auto until = time_to_end();
   thread_.finish([this] { isolated_->kill("it does not end"); });
