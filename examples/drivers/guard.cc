@@ -25,12 +25,7 @@ class Guard : public pd::Plugin {
       wanted_ = wanted;
       drive();
     });
-    on_request(kGuarded, p2d::kReqGetGeom, [this](pd::PluginReply reply) {
-      const auto shared = std::make_shared<pd::PluginReply>(std::move(reply));
-      ask<p2d::Geom>(kWheels, p2d::kReqGetGeom, [shared](const std::optional<p2d::Geom>& geom) {
-        if (geom) shared->ack(*geom);
-      });
-    });
+    pass_on(kGuarded, kWheels);  // whatever else a client asks: geometry, power, odometry
     on_data<p2d::Data>(kWheels, p2d::kDataState, [this](const p2d::Data& state, double time) {
       publish(kGuarded, p2d::kDataState, state, time);
     });

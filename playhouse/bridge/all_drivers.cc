@@ -28,7 +28,7 @@ const Registry& all_drivers() {
     const auto core = core_drivers();
     std::vector<const DriverDefinition*> drivers(core.begin(), core.end());
     drivers.insert(drivers.end(), {&kMapFileDriver, &kStageDriver});
-    return Registry(std::move(drivers), make_plugin, kInstead);
+    return Registry(std::move(drivers), {make_plugin, plugin_is_there}, kInstead);
   }();
   return kAll;
 }

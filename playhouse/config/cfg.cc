@@ -112,6 +112,11 @@ std::string CfgSection::filename(std::string_view key, std::string_view otherwis
   return name.empty() ? name : resolve(file_->folder, name);
 }
 
+std::optional<PluginField> CfgSection::plugin() const {
+  if (!has("plugin")) return std::nullopt;
+  return PluginField{text("plugin", ""), at("plugin"), file_->folder};
+}
+
 std::vector<DeviceAddress> CfgSection::addresses(std::string_view key) const {
   std::vector<DeviceAddress> addresses;
   const Field* field = ask(key);
@@ -249,11 +254,12 @@ Result<void> CfgLoader::read_globals() {
                                                 "test",        "include",    "define"};
   for (const Field& field : document_.fields) {
     if (field.key == "unit_length" || field.key == "unit_angle") continue;
-    if (field.key == "plugin" || field.key == "test") {
-      warnings_.add(
-          Warning::kNoEffect, field.where,
-          in_quotes(field.key) + " has no effect: " +
-              (field.key == "test" ? "use playhouse check" : "all drivers are part of the program"));
+    if (field.key == "plugin") {
+      for (const Value& value : field.values)
+        cfg_.plugins.push_back({std::string(value.text), document_.sources.at(field.where), file_->folder});
+    } else if (field.key == "test") {
+      warnings_.add(Warning::kNoEffect, field.where,
+                    in_quotes(field.key) + " has no effect: use playhouse check");
     } else {
       warnings_.add(Warning::kUnknownWord, field.where,
                     "unknown field " + in_quotes(field.key) + " outside all sections",
@@ -291,7 +297,7 @@ Result<void> CfgLoader::add_driver(const ExpandedSection& instance) {
   if (driver.name().empty())
     return document_.error(instance.where,
                            "a driver needs a name, as in: name \"stage\"" + driver.slip_for("name"));
-  driver.ask("plugin");  // drivers are built in; naming their former plugin is fine
+  driver.ask("plugin");  // of a driver that is built in it names the former library, which is fine
   if (driver.count("provides") == 0 && driver.count("requires") == 0) {
     return document_.error(instance.where,
                            "driver " + in_quotes(driver.name()) +

@@ -19,6 +19,13 @@ namespace playhouse::config {
 
 struct CfgDocument;  // shared by the sections of a file
 
+/// A field `plugin`, which names a shared library.
+struct PluginField {
+  std::string name;
+  std::string where;   // "file:line"
+  std::string folder;  // of the configuration file; "": the current one
+};
+
 /// One `driver ( ... )` section. Accessors return `otherwise` for an absent
 /// field and record which keys were asked for. The first malformed field is
 /// kept as fault(), so that a driver reads everything it needs and checks once.
@@ -44,6 +51,8 @@ class CfgSection {
   std::vector<std::string> texts(std::string_view key) const;
   /// A path, relative to the folder of the configuration file.
   std::string filename(std::string_view key, std::string_view otherwise) const;
+  /// None if it has no field `plugin`.
+  std::optional<PluginField> plugin() const;
   /// The addresses of `provides`, `requires` or another field of that form.
   std::vector<DeviceAddress> addresses(std::string_view key) const;
 
@@ -78,6 +87,7 @@ struct CfgFile {
   std::string path;
   std::vector<std::string> files;     // all files read
   std::vector<CfgSection> drivers;    // in file order
+  std::vector<PluginField> plugins;   // outside all sections, likewise
   std::vector<std::string> warnings;  // "file:line: text", of the file itself
 };
 

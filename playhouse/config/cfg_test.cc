@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "playhouse/base/finding.h"
 #include "playhouse/base/limits.h"
@@ -152,13 +153,29 @@ TEST(Cfg, words_may_hold_colons_and_indices) {
   EXPECT_EQ(driver.count("spose[1]"), 3u);
 }
 
+TEST(Cfg, names_shared_libraries_in_a_section_or_for_all) {
+  const CfgFile cfg = loaded(
+      "plugin \"a\"\nplugin \"libb.so\"\n"
+      "driver ( name \"d\" provides \"gps:0\"\nplugin \"../c\" )\ndriver ( name \"e\" provides \"gps:1\" )");
+  EXPECT_THAT(cfg.warnings, IsEmpty());
+  ASSERT_EQ(cfg.plugins.size(), 2u);
+  EXPECT_EQ(cfg.plugins[0].name, "a");
+  EXPECT_EQ(cfg.plugins[1].name, "libb.so");
+  EXPECT_EQ(cfg.plugins[1].where, "dir/t.cfg:2");
+  EXPECT_EQ(std::filesystem::path(cfg.plugins[1].folder) / "x", "dir/x");
+  ASSERT_TRUE(cfg.drivers[0].plugin());
+  EXPECT_EQ(cfg.drivers[0].plugin()->name, "../c");
+  EXPECT_EQ(cfg.drivers[0].plugin()->where, "dir/t.cfg:4");
+  EXPECT_FALSE(cfg.drivers[1].plugin());
+}
+
 TEST(Cfg, what_has_no_effect_is_a_warning) {
   EXPECT_THAT(
-      loaded("plugin \"libx\"\nrate 5\ndrivr ( x 1 )\n"
+      loaded("test 1\nrate 5\ndrivr ( x 1 )\n"
              "interface ( name \"foo\" code 128 plugin \"libfoo\" )\n"
              "driver ( name \"d\" provides \"gps:0\" inner ( ) )")
           .warnings,
-      ElementsAre(HasSubstr("dir/t.cfg:1: \"plugin\" has no effect"),
+      ElementsAre(HasSubstr("dir/t.cfg:1: \"test\" has no effect"),
                   HasSubstr("dir/t.cfg:2: unknown field \"rate\""),
                   HasSubstr("dir/t.cfg:3: section \"drivr\" has no effect (did you mean \"driver\"?)"),
                   HasSubstr("dir/t.cfg:4: interface \"foo\" has no effect"),

@@ -232,6 +232,8 @@ TEST(Library, outside_the_folders_is_loaded_only_if_it_is_allowed) {
     EXPECT_EQ(Fixture(name, {.folders = {elsewhere}, .allowed = {"/none.so", kProbe + ".so"}}).error, "");
   }
   EXPECT_EQ(Fixture("sub/../probe").error, "") << "stays inside";
+  EXPECT_EQ(Fixture(kProbe).error, "") << "leads inside";
+  EXPECT_EQ(Fixture("../probe", {.folders = {elsewhere, TEST_LIBRARIES}}).error, "") << "into another folder";
   EXPECT_EQ(Fixture("probe.so").error, "") << "as Stage takes it";
   EXPECT_EQ(Fixture("/none/probe").error,
             "test.world:1: no controller \"/none/probe\": there is no file \"/none/probe.so\"");
@@ -248,7 +250,8 @@ TEST(Library, is_found_and_never_loaded_where_a_file_is_only_checked) {
               std::vector<std::string>{"test.world:1: controller \"" + name + "\" is " TEST_LIBRARIES "/" +
                                        name + ".so, which is there and not checked: checking loads no code"});
   }
-  EXPECT_THAT(Fixture(kProbe, find).warnings.at(0),
+  const Libraries elsewhere{.folders = {"/none"}, .use = Libraries::LibraryUse::kFind};
+  EXPECT_THAT(Fixture(kProbe, elsewhere).warnings.at(0),
               EndsWith("; running it takes --allow-library " + kProbe + ".so"));
   EXPECT_THAT(Fixture("prob", find).error, EndsWith("(did you mean \"probe\"?)"));
 }

@@ -112,13 +112,13 @@ class Driver {
   /// Reply once, now or later; dropping the replier means NACK.
   virtual void request(const Message& message, Replier replier) = 0;
 
-  /// True if start() has what it needs of other servers. Io thread, like prepare(). Override both in drivers
-  /// whose devices others provide.
+  /// True if start() has what it needs, as of other servers. Io thread, like prepare(). Override both in drivers
+  /// whose devices others provide, or whose hardware takes its time.
   virtual bool ready(DeviceId) const { return true; }
   /// Outcome of prepare(), with the reason.
   using Prepared = std::function<void(const Result<void>&)>;
-  /// Gets it, within limits::kRelaySeconds: `heard` is called once, on the io thread, maybe at once. It stays for
-  /// a moment, so that whoever asked can start the device.
+  /// Gets it, within limits::kRelaySeconds (hardware: some seconds): `heard` is called once, on the io
+  /// thread, maybe at once. It stays for a moment, so that whoever asked can start the device.
   virtual void prepare(DeviceId, Prepared heard) { heard({}); }
 
   /// True if `request` supports this (type, subtype); for CAPABILITIES.

@@ -31,7 +31,7 @@ int serve(const PlayerOptions& options, const Opened& opened) {
   server::admit_guests(service.server(), server::book_of_key(options.key));
   service.open_site(*port, service.server());
   const auto core = drivers::core_drivers();
-  const drivers::Registry registry({core.begin(), core.end()}, nullptr);
+  const drivers::Registry registry({core.begin(), core.end()}, {});
   if (const Result<void> made = service.make_drivers(registry, *file, warn); !made)
     return fail_in_file(made.error());
   opened(service.ports());

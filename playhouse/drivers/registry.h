@@ -3,6 +3,7 @@
 /// Registry: the drivers of a program, for `driver ( name "..." )` sections of .cfg files.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,15 +21,21 @@ namespace playhouse::drivers {
 /// Those of this library that were chosen at configure time (PLAYHOUSE_DRIVERS), in the order of their names; they know no simulator.
 std::span<const DriverDefinition* const> core_drivers();
 
+/// The drivers of shared libraries.
+struct PlugIns {
+  /// Makes that of a section.
+  Result<std::unique_ptr<device::Driver>> (*make)(const config::CfgSection&, const config::PluginField&,
+                                                  Site&) = nullptr;
+  bool (*is_there)(const config::PluginField&, Site&) = nullptr;
+};
+
 class Registry {
  public:
-  using Factory = decltype(DriverDefinition::make);
-
   /// A name of the original's that no driver has here, and what to write for it: "; ...".
   using Instead = std::pair<std::string_view, std::string_view>;
 
-  /// `plug_in` makes the driver of a section that names a shared library; null: this program loads none.
-  Registry(std::vector<const DriverDefinition*> drivers, Factory plug_in,
+  /// `plug_ins` is empty in a program that loads none.
+  Registry(std::vector<const DriverDefinition*> drivers, PlugIns plug_ins,
            std::span<const Instead> instead = {});
 
   /// In the order of their names.
@@ -46,15 +53,29 @@ class Registry {
   Result<std::vector<std::unique_ptr<device::Driver>>> make(const config::CfgFile& file, Site& site) const;
 
  private:
-  Factory factory_of(const config::CfgSection& section) const;
+  /// Who makes the driver of a section: the program, or a library, or neither.
+  struct Maker {
+    const DriverDefinition* driver = nullptr;
+    std::optional<config::PluginField> plugin = {};
+    bool is_one() const { return driver != nullptr || plugin; }
+  };
+  struct WantedDriver {
+    const config::CfgSection* section = nullptr;
+    Maker maker;
+  };
+  Maker maker_of(const config::CfgSection& section, const config::CfgFile& file, Site& site) const;
+  std::optional<config::PluginField> plugin_for(std::string_view name, const config::CfgFile& file,
+                                                Site& site) const;
   std::vector<std::string_view> names() const;
   std::string_view what_has_its_place(std::string_view name) const;
-  std::string no_such_driver(const config::CfgSection& section) const;
   Result<void> check_provides(const config::CfgSection& section) const;
-  std::vector<const config::CfgSection*> sections_to_make(const config::CfgFile& file, Site& site) const;
+  std::string no_such_driver(const config::CfgSection& section, const config::CfgFile& file) const;
+  std::vector<WantedDriver> drivers_to_make(const config::CfgFile& file, Site& site) const;
+  static void warn_of_what_has_no_effect(const config::CfgFile& file, std::span<const WantedDriver> wanted,
+                                         Site& site);
 
   std::vector<const DriverDefinition*> drivers_;
-  Factory plug_in_;
+  PlugIns plug_ins_;
   std::span<const Instead> instead_;
 };
 

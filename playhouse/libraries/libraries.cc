@@ -70,9 +70,21 @@ std::string shown(const WantedLibrary& wanted) {
   return std::string(wanted.provided.what) + " " + in_quotes(wanted.name);
 }
 
+/// True if a file is in one of the folders, or below it, whichever way its name takes.
+bool is_within(const std::filesystem::path& file, const Libraries& libraries) {
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::canonical(file, error);
+  if (error) return false;
+  return std::ranges::any_of(libraries.folders, [&](const std::filesystem::path& folder) {
+    std::error_code none;
+    const std::filesystem::path within = std::filesystem::canonical(folder, none);
+    return !none && std::ranges::mismatch(within, real).in1 == within.end();
+  });
+}
+
 bool is_allowed(const std::string& name, const std::filesystem::path& file, const Libraries& libraries) {
   std::error_code ignored;
-  return !leads_outside(name) ||
+  return !leads_outside(name) || is_within(file, libraries) ||
          std::ranges::any_of(libraries.allowed, [&](const std::filesystem::path& allowed) {
            return std::filesystem::equivalent(file, allowed, ignored);
          });
@@ -88,6 +100,10 @@ std::vector<std::filesystem::path> library_folders(const std::string& of_file, c
     for (std::string& named : folders_of(variable)) folders.emplace_back(std::move(named));
   folders.push_back(program_folder);
   return folders;
+}
+
+bool is_there(const WantedLibrary& wanted, const Libraries& libraries) {
+  return !find(wanted.name, libraries).empty();
 }
 
 Result<std::filesystem::path> locate(const WantedLibrary& wanted, const Libraries& libraries,

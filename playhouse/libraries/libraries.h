@@ -15,7 +15,8 @@
 namespace playhouse::libraries {
 
 /// Where a world's libraries may come from. Library code runs with all rights of
-/// the program, so a world file must not be able to load arbitrary files by path.
+/// the program, so a world file must not be able to load arbitrary files by path: a path leads into one of the
+/// folders, or below it, or to an allowed file.
 struct Libraries {
   enum class LibraryUse : std::uint8_t { kLoad, kFind };  // kFind: located but not loaded, for checks
 
@@ -32,10 +33,13 @@ std::vector<std::filesystem::path> library_folders(const std::string& of_file, c
 /// A request of a world file.
 struct WantedLibrary {
   const LibraryAbi& provided;
-  std::string name;                             // file name, with or without ".so"
+  std::string name;                             // file name, with or without ".so", or a path
   std::string where;                            // "file:line"
   std::span<const std::string_view> built_ins;  // built-in names, for error messages
 };
+
+/// Whether there is such a file, be it allowed or not.
+bool is_there(const WantedLibrary& wanted, const Libraries& libraries);
 
 /// The file of a library that may be loaded, announced in the log; empty, with a warning in `warnings`, if libraries
 /// are only located. Fails with a one-line message if it is not found or not allowed.

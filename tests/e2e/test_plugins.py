@@ -8,6 +8,7 @@ import shutil
 import signal
 import struct
 import sys
+import tty
 import unittest
 from unittest import mock
 
@@ -26,6 +27,8 @@ BAD = """
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -38,11 +41,17 @@ namespace op = playhouse::wire::opaque;
 class Bad : public playhouse::drivers::Plugin {
   void configure(const playhouse::drivers::PluginSection& section) override {
     closed_ = section.filename("filename", "");
+    needed_ = section.filename("needs", "");
     on_command<op::Data>(0, op::kCmdData, [this](const op::Data& told) { be_bad(text_of(told)); });
-    on_request<op::Data>(0, op::kReqData, [](const op::Data& asked, playhouse::drivers::PluginReply reply) {
-      const std::string answer = about(text_of(asked));
+    on_request<op::Data>(0, op::kReqData, [this](const op::Data& asked, playhouse::drivers::PluginReply reply) {
+      const std::string what = text_of(asked);
+      if (what.rfind("other ", 0) == 0) return ask_other(what.substr(6), std::move(reply));
+      const std::string answer = about(what);
       reply.ack(op::Data{{answer.begin(), answer.end()}});
     });
+  }
+  void open() override {
+    if (!needed_.empty() && !std::filesystem::exists(needed_)) throw std::runtime_error("there is no " + needed_);
   }
   void close() override {
     if (!closed_.empty()) std::ofstream(closed_) << "closed";
@@ -62,6 +71,15 @@ class Bad : public playhouse::drivers::Plugin {
       std::signal(SIGSEGV, SIG_DFL);
       std::raise(SIGSEGV);
     }
+  }
+
+  void ask_other(const std::string& what, playhouse::drivers::PluginReply reply) {
+    const auto shared = std::make_shared<playhouse::drivers::PluginReply>(std::move(reply));
+    const op::Data body{{what.begin(), what.end()}};
+    const std::size_t used = what == "nobody" ? 99 : 0;
+    ask<op::Data>(used, op::kReqData, body, [shared](const std::optional<op::Data>& answer) {
+      if (answer) shared->ack(*answer);
+    });
   }
 
   // It asks the program for the time, again and again, by the socket of its parent.
@@ -84,7 +102,7 @@ class Bad : public playhouse::drivers::Plugin {
     return answer.str();
   }
 
-  std::string closed_;
+  std::string closed_, needed_;
   bool stays_ = false;
 };
 
@@ -184,6 +202,10 @@ class Plugins(InstalledTest):
                 standing = standing + 1 if state[3] == 0 else 0
             self.assertGreater(state[0], 1.5)
             self.assertLess(state[0], 2.1, "it stopped about a metre from the wall at 2.9 m")
+            self.assertEqual(client.request(POSITION2D, 1, 5, struct.pack(">ddd", 100, 0, 0)).type, ACK)
+            while struct.unpack(">d", client.next_data(POSITION2D, 1).body[:8])[0] < 50:
+                pass
+            self.assertEqual(client.request(POSITION2D, 1, 2, struct.pack(">I", 0)).type, ACK, "the power of its wheels")
 
     def ask(self, client, what: str) -> str:
         return client.request(OPAQUE, 0, 1, payload(what.encode())).body[8:].rstrip(b"\0").decode()
@@ -200,6 +222,9 @@ class Plugins(InstalledTest):
             house.wait_for_line('plugin.cfg:1: driver "bad" has failed, and its devices retire: ' + told)
             client.send(OPAQUE, 1, CMD, 1, payload(b"still here"))
             self.assertEqual(client.next_data(OPAQUE, 1).body, payload(b"still here"))
+            asked = 0
+            while (OPAQUE, 0) in client.devices() and asked < 1000:  # the line comes before its devices retire
+                asked += 1
             self.assertEqual(client.devices(), [(OPAQUE, 1)])
             self.assertEqual(house.end(), 128 + 15)
             return house.log()
@@ -259,6 +284,93 @@ class Plugins(InstalledTest):
                 if told != b"block":
                     self.assertEqual(closed.read_text(), "closed", "what moves stops")
 
+    @staticmethod
+    def access(opened) -> int:
+        """Of the answer to an opening."""
+        return struct.unpack(">I", opened.body[16:20])[0]
+
+    def test_one_that_fails_to_open_is_tried_again_by_the_next_client(self):
+        for isolated in (0, 1):
+            with self.subTest(isolated=isolated):
+                needed = self.folder / f"needed{isolated}"
+                cfg = f'driver ( name "bad" plugin "bad" provides ["opaque:0"] needs "{needed}" isolated {isolated} )'
+                with self.serve(cfg) as house, Client(house.port()) as client:
+                    for _ in range(2):
+                        opened = client.open(OPAQUE, 0)
+                        self.assertEqual((opened.type, self.access(opened)), (ACK, 3))
+                    needed.touch()
+                    self.assertEqual(self.access(client.open(OPAQUE, 0)), 1)
+                    self.assertTrue(self.ask(client, "process"))
+                    house.wait_for_line(f"opaque:0: the device cannot start: there is no {needed}")
+                    house.end()
+                    self.assertEqual(house.log().count(f"there is no {needed}"), 1, "one line for a client")
+
+    def test_one_asks_what_it_requires_with_a_body(self):
+        other = 'driver ( name "other" plugin "bad" provides ["opaque:1"] isolated 1 )\n'
+        for isolated in (0, 1):
+            cfg = f'driver ( name "bad" plugin "bad" provides ["opaque:0"] requires ["opaque:1"] isolated {isolated} )'
+            with self.subTest(isolated=isolated), self.serve(other + cfg) as house, Client(house.port()) as client:
+                for index in (0, 1):
+                    client.open(OPAQUE, index)
+                its = client.request(OPAQUE, 1, 1, payload(b"process"))
+                self.assertEqual(client.request(OPAQUE, 0, 1, payload(b"other process")).body, its.body)
+                for _ in range(2):
+                    self.assertEqual(client.request(OPAQUE, 0, 1, payload(b"other nobody")).type, NACK)
+                house.wait_for_line("a request gets NACK: there is no device 99 in a list of 1$")
+                house.end()
+                self.assertEqual(house.log().count("a request gets NACK"), 1)
+
+    def test_one_with_alwayson_that_fails_to_open_is_tried_until_it_does(self):
+        needed = self.folder / "needed"
+        cfg = f'driver ( name "bad" plugin "bad" provides ["opaque:0"] needs "{needed}" alwayson 1 )'
+        with self.serve(cfg) as house:
+            house.wait_for_line(f'driver "bad" waits: there is no {needed}$')
+            needed.touch()
+            house.wait_for_line('driver "bad" has started$')
+
+    def test_a_library_is_found_by_a_path_from_the_folder_of_the_file(self):
+        beside, elsewhere = self.folder / "robot" / "build", self.folder / "other"
+        for folder in (beside, elsewhere):
+            folder.mkdir(parents=True)
+            shutil.copy(self.libraries / "load.so", folder / "mine.so")
+        def cfg(named):
+            return self.write("robot/x.cfg", f'driver ( name "mine" plugin "{named}" provides ["aio:0"] )')
+        def serves(named, *options):
+            with House("serve", cfg(named), "--port", 0, "--headless", *options) as house:
+                house.port()
+        for named in ("build/mine", "./build/mine.so", "../robot/build/mine.so"):
+            with self.subTest(named):
+                serves(named)
+        for named in ("../other/mine.so", "../other/mine"):
+            with self.subTest(named):
+                done = finish("serve", cfg(named), "--port", 0)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn("x.cfg:1: ", done.stderr)
+                self.assertIn(f"if you trust it, run with --allow-library {elsewhere.resolve()}/mine.so", done.stderr)
+                serves(named, "--allow-library", elsewhere / "mine.so")
+                with mock.patch.dict(os.environ, PLAYERPATH=str(elsewhere)):
+                    serves(named)
+
+    def test_libraries_may_be_named_outside_all_sections(self):
+        for cfg in ('plugin "load"\ndriver ( name "load" provides ["aio:0"] )',
+                    'plugin "load.so"\nplugin "lamp"\ndriver ( name "load" provides ["aio:0"] interval 2 )',
+                    'plugin "load"\ndriver ( name "of_the_machine" provides ["aio:0"] )'):
+            with self.subTest(cfg), self.serve(cfg) as house, Client(house.port()) as client:
+                self.assertEqual(client.devices(), [(AIO, 0)])
+        done = finish("serve", self.write("two.cfg", 'plugin "load"\nplugin "lamp"\ndriver ( name "x" provides ["aio:0"] )'))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('and no plug-in of this file has its name: "load", "lamp"', done.stderr)
+
+    def test_a_check_does_not_know_what_a_plug_in_reads(self):
+        for field in ("", "alwayson 1"):
+            cfg = self.write("x.cfg", f'driver ( name "load" plugin "load" provides ["aio:0"] interval 2 {field} )')
+            done = finish("check", cfg)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            self.assertNotIn("is not used", done.stdout)
+            self.assertNotIn("waits", done.stdout + done.stderr)
+        done = finish("check", self.write("x.cfg", 'driver ( name "relay" provides ["opaque:0"] interval 2 )'))
+        self.assertIn('"interval" is not used by driver "relay"', done.stdout)
+
     def test_a_library_is_found_beside_the_file_that_names_it(self):
         shutil.copy(self.libraries / "load.so", self.folder / "beside.so")
         cfg = self.write("plugin.cfg", 'driver ( name "beside" plugin "beside" provides ["aio:0"] )')
@@ -287,12 +399,30 @@ class Plugins(InstalledTest):
                 self.assertIn("load.so, which is there and not checked", done.stdout)
 
     def test_the_walk_of_the_documentation_leads_to_what_it_says(self):
-        walk = self.build_walk("plugins.md", {"knob.cc", "CMakeLists.txt", "knob.cfg", "turn.py"})
-        environment = os.environ | {"PYTHONPATH": str(ROOT / "clients" / "python")}
+        walk = self.build_walk("plugins.md", {"knob.cc", "CMakeLists.txt", "knob.cfg", "turn.py", "tank.cc"})
+        clients = re.search(r"^PYTHONPATH=\$HOME/playhouse/(\S+) python3 turn.py$", walk, re.MULTILINE).group(1)
+        environment = os.environ | {"PYTHONPATH": str(self.place / "prefix" / clients)}
         with mock.patch.dict(os.environ, PLAYHOUSE_PATH=str(self.folder / "build")):
             with House("serve", self.folder / "knob.cfg", "--port", 0, "--headless") as house:
                 said = tool(sys.executable, self.folder / "turn.py", f"127.0.0.1:{house.port()}", env=environment)
         self.assertIn(f"It prints `{said.strip()}`.", walk)
+
+    def test_the_driver_that_the_documentation_carries_over_works(self):
+        code = re.search(r"`tank\.cc`:\n\n```cpp\n(.*?)```", (ROOT / "docs" / "plugins.md").read_text(), re.DOTALL).group(1)
+        self.write("tank.cc", code)
+        self.write("CMakeLists.txt", PROJECT.replace("bad", "tank"))
+        self.build(self.folder, self.folder / "build")
+        terminal, line = os.openpty()
+        tty.setraw(line)
+        for each in (terminal, line):
+            self.addCleanup(os.close, each)
+        cfg = f'driver ( name "tank" plugin "build/tank" provides ["aio:0"] port "{os.ttyname(line)}" )'
+        with self.serve(cfg) as house, Client(house.port()) as client:
+            self.assertEqual(self.access(client.open(AIO, 0)), 1)
+            client.send(AIO, 0, CMD, 1, struct.pack(">If", 0, 7))
+            self.assertEqual(os.read(terminal, 1), bytes([7]))
+            os.write(terminal, bytes([42]))
+            self.assertEqual(struct.unpack(">IIf", client.next_data(AIO, 0).body), (1, 1, 42))
 
 
 if __name__ == "__main__":

@@ -143,9 +143,15 @@ class DistantSection final : public PluginSection {
 };
 
 RegisteredKeys keys_of(const Plugin::Registered& registered) {
-  RegisteredKeys keys{.commands = {}, .requests = {}, .data = {}, .period = registered.period};
+  RegisteredKeys keys;
+  keys.period = registered.period;
   for (const auto& [key, hook] : registered.commands) keys.commands.push_back(key);
-  for (const auto& [key, hook] : registered.requests) keys.requests.push_back(key);
+  for (const auto& [key, hook] : registered.requests) {
+    if (const auto* const passed_on = hook.target<PassedOn>())
+      keys.passed_on.emplace_back(key, passed_on->used);
+    else
+      keys.requests.push_back(key);
+  }
   for (const auto& [key, hook] : registered.data) keys.data.push_back(key);
   return keys;
 }
@@ -243,8 +249,9 @@ void DistantProgram::carry_out(const PluginFrame& frame) {
   switch (frame.kind) {
     case PluginFrameKind::kOpen:
       has_world_ = frame.flag;
+      plugin_->open();
       is_open_ = true;
-      return plugin_->open();
+      return;
     case PluginFrameKind::kClose:
       is_open_ = false;
       return plugin_->close();

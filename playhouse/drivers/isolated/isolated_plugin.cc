@@ -15,7 +15,6 @@
 #include "playhouse/base/limits.h"
 #include "playhouse/base/log.h"
 #include "playhouse/drivers/isolated/plugin_start.h"
-#include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
 namespace {
@@ -98,17 +97,6 @@ class OpenQuestion {
  private:
   const std::shared_ptr<std::atomic<std::size_t>> all_;  // an answer may be dropped after the plug-in
 };
-
-/// "" if it is a valid message.
-std::string fault_of_message(std::span<const PluginDevice> devices, wire::MessageType type,
-                             const PluginFrame& frame) {
-  if (frame.device >= devices.size())
-    return fmt::format("there is no device {} in a list of {}", frame.device, devices.size());
-  const PluginDevice& device = devices[frame.device];
-  const wire::MessageDef* const message = wire::find_message(device.code, type, frame.subtype);
-  if (message == nullptr) return fmt::format("no message of {} has subtype {}", device.interf, frame.subtype);
-  return message->check(frame.body);
-}
 
 }  // namespace
 
@@ -311,9 +299,11 @@ IsolatedPlugin::TakenFrame IsolatedPlugin::take(PluginFrame& frame) {
     case PluginFrameKind::kAskField:
       return tell_field(frame);
     case PluginFrameKind::kPublish:
-      return take_publication(frame);
+      program_->publish(frame.device, frame.subtype, std::move(frame.body), frame.time);
+      return {};
     case PluginFrameKind::kCommandOther:
-      return take_command(frame);
+      program_->command(frame.device, frame.subtype, frame.body);
+      return {};
     case PluginFrameKind::kAskOther:
       return take_question(frame);
     case PluginFrameKind::kReply:
@@ -335,7 +325,9 @@ IsolatedPlugin::TakenFrame IsolatedPlugin::tell(const PluginFrame& answer) {
 
 IsolatedPlugin::TakenFrame IsolatedPlugin::take_registered(const PluginFrame& frame) {
   std::optional<RegisteredKeys> keys = unpack_keys(frame.body, provides_.size() + uses_.size());
-  if (section_ == nullptr || std::exchange(is_registered_, true) || !keys)
+  const auto is_there = [this](const auto& passed_on) { return passed_on.second < uses_.size(); };
+  if (section_ == nullptr || std::exchange(is_registered_, true) || !keys ||
+      !std::ranges::all_of(keys->passed_on, is_there))
     return Error{"", "it registered what cannot be"};
   for (const MessageKey& key : keys->commands)
     registered_.commands[key] = [this, key](std::span<const std::byte> body) {
@@ -345,6 +337,8 @@ IsolatedPlugin::TakenFrame IsolatedPlugin::take_registered(const PluginFrame& fr
     registered_.requests[key] = [this, key](std::span<const std::byte> body, PluginReply reply) {
       call_request(key, body, std::move(reply));
     };
+  for (const auto& [key, used] : keys->passed_on)  // need not go to the process and back
+    registered_.requests[key] = PassedOn{program_, used, key.second};
   for (const MessageKey& key : keys->data)
     registered_.data[key] = [this, key](std::span<const std::byte> body, double time) {
       PluginFrame datum = frame_of(PluginFrameKind::kDatum, key, body);
@@ -375,29 +369,7 @@ IsolatedPlugin::TakenFrame IsolatedPlugin::tell_field(const PluginFrame& frame) 
   return tell(field_of(*section_, frame, *asked));
 }
 
-IsolatedPlugin::TakenFrame IsolatedPlugin::take_publication(PluginFrame& frame) {
-  const std::string fault = std::isfinite(frame.time)
-                                ? fault_of_message(provides_, wire::MessageType::kData, frame)
-                                : "it has no time";
-  if (fault.empty())
-    program_->publish(frame.device, frame.subtype, std::move(frame.body), frame.time);
-  else
-    log::warn("driver {}: data is left out: {}", in_quotes(options_.name), fault);
-  return {};
-}
-
-IsolatedPlugin::TakenFrame IsolatedPlugin::take_command(const PluginFrame& frame) {
-  const std::string fault = fault_of_message(uses_, wire::MessageType::kCmd, frame);
-  if (fault.empty())
-    program_->command(frame.device, frame.subtype, frame.body);
-  else
-    log::warn("driver {}: a command is left out: {}", in_quotes(options_.name), fault);
-  return {};
-}
-
 IsolatedPlugin::TakenFrame IsolatedPlugin::take_question(const PluginFrame& frame) {
-  if (const std::string fault = fault_of_message(uses_, wire::MessageType::kReq, frame); !fault.empty())
-    return Error{"", "a request: " + fault};
   if (*questions_ >= limits::kRequestQueue)
     return Error{"", fmt::format("more than {} requests wait for an answer", limits::kRequestQueue)};
   program_->ask(frame.device, frame.subtype, frame.body,

@@ -2,8 +2,8 @@
 
 /// IsolatedPlugin: a plug-in whose code runs in a process of its own, for a PluginShell that takes it for any other:
 /// a hook is a call of that process, which comes back, throws what the plug-in threw, or throws how the process ended.
-/// What the process says in between is carried out by a thread that reads it. It may say anything: what is no valid
-/// message is left out, and what breaks the rules ends it.
+/// What the process says in between is carried out by a thread that reads it. It may say anything: the program leaves
+/// out what is no valid message, and what breaks the rules of the exchange ends the process.
 
 #include <atomic>
 #include <chrono>
@@ -76,8 +76,6 @@ class IsolatedPlugin final : public Plugin {
   TakenFrame take_registered(const PluginFrame& frame);
   TakenFrame take_returned(const PluginFrame& frame);
   TakenFrame tell_field(const PluginFrame& frame);
-  TakenFrame take_publication(PluginFrame& frame);
-  TakenFrame take_command(const PluginFrame& frame);
   TakenFrame take_question(const PluginFrame& frame);
   TakenFrame take_reply(PluginFrame& frame);
 

@@ -127,13 +127,17 @@ TEST(PluginStart, arrives_as_it_was_packed) {
 }
 
 TEST(RegisteredKeys, are_no_more_than_messages_can_be) {
-  RegisteredKeys keys{{{0, 1}, {1, 2}}, {{1, 9}}, {}, 0.5};
+  RegisteredKeys keys{{{0, 1}, {1, 2}}, {{1, 9}}, {}, {{{1, 3}, 7}}, 0.5};
   const auto got = unpack_keys(pack(keys), 2);
   ASSERT_TRUE(got);
   EXPECT_EQ(got->commands, keys.commands);
   EXPECT_EQ(got->requests, keys.requests);
+  EXPECT_EQ(got->passed_on, keys.passed_on);
   EXPECT_EQ(got->period, 0.5);
-  keys.data.resize(100'000);
+  RegisteredKeys many = keys;
+  many.data.resize(100'000);
+  EXPECT_FALSE(unpack_keys(pack(many), 2));
+  keys.passed_on.resize(100'000);
   EXPECT_FALSE(unpack_keys(pack(keys), 2));
 }
 

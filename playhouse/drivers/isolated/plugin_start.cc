@@ -30,20 +30,25 @@ std::vector<PluginDevice> unpack_devices(Unpacker& in) {
   return devices;
 }
 
+void pack_key(Packer& out, const Plugin::MessageKey& key) {
+  out.u64(key.first);
+  out.u8(key.second);
+}
+
+Plugin::MessageKey unpack_key(Unpacker& in) {
+  const std::uint64_t device = in.u64();
+  return {device, in.u8()};
+}
+
 void pack_keys(Packer& out, std::span<const Plugin::MessageKey> keys) {
   out.varint(keys.size());
-  for (const auto& [device, subtype] : keys) {
-    out.u64(device);
-    out.u8(subtype);
-  }
+  for (const Plugin::MessageKey& key : keys) pack_key(out, key);
 }
 
 std::vector<Plugin::MessageKey> unpack_some_keys(Unpacker& in, std::size_t most) {
   std::vector<Plugin::MessageKey> keys;
-  for (std::uint64_t left = in.varint(); left > 0 && in.ok() && keys.size() <= most; --left) {
-    const std::uint64_t device = in.u64();
-    keys.emplace_back(device, in.u8());
-  }
+  for (std::uint64_t left = in.varint(); left > 0 && in.ok() && keys.size() <= most; --left)
+    keys.push_back(unpack_key(in));
   return keys;
 }
 
@@ -73,6 +78,11 @@ Bytes pack(const RegisteredKeys& keys) {
   pack_keys(out, keys.commands);
   pack_keys(out, keys.requests);
   pack_keys(out, keys.data);
+  out.varint(keys.passed_on.size());
+  for (const auto& [key, used] : keys.passed_on) {
+    pack_key(out, key);
+    out.u64(used);
+  }
   out.f64(keys.period);
   return body;
 }
@@ -85,6 +95,10 @@ std::optional<RegisteredKeys> unpack_keys(std::span<const std::byte> body, std::
   keys.commands = unpack_some_keys(in, most);
   keys.requests = unpack_some_keys(in, most);
   keys.data = unpack_some_keys(in, most);
+  for (std::uint64_t left = in.varint(); left > 0 && in.ok() && keys.passed_on.size() <= most; --left) {
+    const Plugin::MessageKey key = unpack_key(in);
+    keys.passed_on.emplace_back(key, in.u64());
+  }
   keys.period = in.f64();
   return in.ok() && in.at_end() ? std::optional(std::move(keys)) : std::nullopt;
 }

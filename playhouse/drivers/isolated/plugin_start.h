@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "playhouse/drivers/isolated/plugin_frame.h"
@@ -24,7 +25,8 @@ std::optional<PluginStart> unpack_start(std::span<const std::byte> body);
 /// Of kRegistered: what a plug-in takes, without its hooks.
 struct RegisteredKeys {
   std::vector<Plugin::MessageKey> commands, requests, data;
-  double period = 0;  // s
+  std::vector<std::pair<Plugin::MessageKey, std::uint64_t>> passed_on;  // requests; numbers of `requires`
+  double period = 0;                                                    // s
 };
 Bytes pack(const RegisteredKeys& keys);
 /// None if they are more than messages of so many devices can be.

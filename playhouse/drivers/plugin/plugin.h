@@ -16,12 +16,15 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "playhouse/wire/codec.h"
+#include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
 
@@ -75,6 +78,7 @@ class PluginReply {
 
  private:
   friend class IsolatedPlugin;  // passes on answers as they are
+  friend struct PassedOn;       // likewise
   void finish(bool good, std::vector<std::byte> body) {
     if (const SendAnswer send = std::exchange(send_, nullptr)) send(good, std::move(body));
   }
@@ -93,6 +97,20 @@ class PluginProgram {
   virtual void ask(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body,
                    AnswerHeard heard) = 0;
   virtual void say(bool is_warning, std::string_view line) = 0;
+};
+
+/// What Plugin::pass_on() registers. The program looks for it, so that the device of `provides` tells the
+/// capabilities of the other one.
+struct PassedOn {
+  PluginProgram* program = nullptr;
+  std::size_t used = 0;
+  std::uint8_t subtype = 0;
+  void operator()(std::span<const std::byte> body, PluginReply reply) const {
+    const auto shared = std::make_shared<PluginReply>(std::move(reply));  // a std::function must be copyable
+    program->ask(used, subtype, body, [shared](bool ack, std::span<const std::byte> answer) {
+      shared->finish(ack, {answer.begin(), answer.end()});
+    });
+  }
 };
 
 class Plugin {
@@ -155,6 +173,20 @@ class Plugin {
       answer(std::move(reply));
     };
   }
+  /// All requests to a device of `provides` that are not registered go to one of `requires`, of the same
+  /// interface, whose answer becomes theirs.
+  void pass_on(std::size_t provided, std::size_t used) {
+    if (provided >= provides_.size() || used >= uses_.size())
+      throw std::invalid_argument("requests of a device are passed on which the section does not name");
+    if (provides_[provided].code != uses_[used].code)
+      throw std::invalid_argument("requests to " + provides_[provided].interf + " are not those to " +
+                                  uses_[used].interf);
+    for (unsigned subtype = 0; subtype <= 0xFF; ++subtype) {
+      const auto key = static_cast<std::uint8_t>(subtype);
+      if (wire::find_message(uses_[used].code, wire::MessageType::kReq, key) != nullptr)
+        registered_.requests.try_emplace({provided, key}, PassedOn{program_, used, key});
+    }
+  }
   /// Data of a required device, with their time [s]. If they come faster than they are taken, the latest.
   template <typename T>
   void on_data(std::size_t used, std::uint8_t subtype, std::function<void(const T&, double time)> take) {
@@ -181,13 +213,19 @@ class Plugin {
   void command(std::size_t used, std::uint8_t subtype, const T& value) {
     program_->command(used, subtype, wire::encode(value));
   }
-  /// Asks a device of `requires`; the answer comes as a hook does: none for NACK.
+  /// What takes the answer to a request: a T, or none for NACK; without a T whether it was ACK.
   template <typename T>
-  void ask(std::size_t used, std::uint8_t subtype, std::function<void(std::optional<T>)> heard) {
-    program_->ask(used, subtype, {}, [heard = std::move(heard)](bool ack, std::span<const std::byte> body) {
-      const Result<T> value = ack ? wire::decode<T>(body) : Result<T>(Error{});
-      heard(value ? std::optional<T>(*value) : std::nullopt);
-    });
+  using AnswerTo = std::conditional_t<std::is_void_v<T>, std::function<void(bool ack)>,
+                                      std::function<void(std::optional<T>)>>;
+  /// Asks a device of `requires`; the answer comes as a hook does.
+  template <typename T = void>
+  void ask(std::size_t used, std::uint8_t subtype, AnswerTo<T> heard) {
+    program_->ask(used, subtype, {}, taken_by<T>(std::move(heard)));
+  }
+  /// By a request with a body.
+  template <typename T = void, typename Body>
+  void ask(std::size_t used, std::uint8_t subtype, const Body& body, AnswerTo<T> heard) {
+    program_->ask(used, subtype, wire::encode(body), taken_by<T>(std::move(heard)));
   }
   /// Lines of the log.
   void inform(std::string_view line) { program_->say(false, line); }
@@ -195,6 +233,17 @@ class Plugin {
 
  private:
   friend class IsolatedPlugin;  // stands for one in a process of its own
+  template <typename T>
+  static PluginProgram::AnswerHeard taken_by(AnswerTo<T> heard) {
+    return [heard = std::move(heard)](bool ack, std::span<const std::byte> body) {
+      if constexpr (std::is_void_v<T>) {
+        heard(ack);
+      } else {
+        const Result<T> value = ack ? wire::decode<T>(body) : Result<T>(Error{});
+        heard(value ? std::optional<T>(*value) : std::nullopt);
+      }
+    };
+  }
   Registered registered_;
   PluginProgram* program_ = nullptr;
   std::vector<PluginDevice> provides_, uses_;

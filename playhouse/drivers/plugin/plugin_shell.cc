@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -20,6 +21,12 @@
 #include "playhouse/wire/messages.h"
 
 namespace playhouse::drivers {
+namespace {
+
+/// How long a plug-in that was opened for nobody stays so: what another one waits for beside it may take its time.
+constexpr double kUnusedSeconds = limits::kPluginSeconds + 1;
+
+}  // namespace
 
 class PluginDoor final : public PluginProgram {
  public:
@@ -31,9 +38,23 @@ class PluginDoor final : public PluginProgram {
     pass([&](PluginShell& shell) { shell.failed(why); });
   }
 
-  void closed() {
+  // Hooks.
+
+  /// What open() throws fails this opening alone.
+  void open(Plugin& plugin) {
+    std::string thrown;
+    is_open_ = libraries::thrown_by(thrown, [&] { plugin.open(); }) == nullptr;
+    const Result<void> outcome = is_open_ ? Result<void>() : Result<void>(Error{"", thrown});
+    pass([&](PluginShell& shell) {
+      shell.site_.surroundings().post([&shell, outcome] { shell.opened(outcome); });
+    });
+  }
+  void close(Plugin& plugin) {
+    if (std::exchange(is_open_, false)) plugin.close();
     pass([](PluginShell& shell) { shell.site_.surroundings().post([&shell] { shell.closed(); }); });
   }
+
+  // PluginProgram
 
   double time() const override {
     double time = 0;
@@ -43,19 +64,32 @@ class PluginDoor final : public PluginProgram {
   void publish(std::size_t provided, std::uint8_t subtype, std::vector<std::byte> body,
                double timestamp) override {
     pass([&](PluginShell& shell) {
+      const std::string fault =
+          std::isfinite(timestamp)
+              ? fault_of_message(shell.own_, wire::MessageType::kData, provided, subtype, body)
+              : "it has no time";
+      if (!fault.empty()) return shell.warn_once("data is left out: " + fault);
       if (provided < shell.ids_.size())
         shell.site_.data_flow().publish({{shell.ids_[provided], subtype, timestamp, std::move(body)}});
     });
   }
   void command(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body) override {
     pass([&](PluginShell& shell) {
-      if (used < shell.uses_) static_cast<void>(shell.client_.command(used, subtype, body));
+      const std::string fault = fault_of_message(shell.others_, wire::MessageType::kCmd, used, subtype, body);
+      if (!fault.empty()) return shell.warn_once("a command is left out: " + fault);
+      static_cast<void>(shell.client_.command(used, subtype, body));
     });
   }
   void ask(std::size_t used, std::uint8_t subtype, std::span<const std::byte> body,
            AnswerHeard heard) override {
     pass([&](PluginShell& shell) {
-      if (used >= shell.uses_) return;
+      const std::string fault =
+          shell.is_connected_ ? fault_of_message(shell.others_, wire::MessageType::kReq, used, subtype, body)
+                              : "the program does not run yet";
+      if (!fault.empty()) {
+        shell.thread_.post_anyway([heard = std::move(heard)] { heard(false, {}); });
+        return shell.warn_once("a request gets NACK: " + fault);
+      }
       shell.client_.ask(used, subtype, body,
                         [&shell, heard = std::move(heard)](std::optional<std::vector<std::byte>> answer) {
                           const bool posted = shell.thread_.post([heard, answer = std::move(answer)] {
@@ -84,6 +118,7 @@ class PluginDoor final : public PluginProgram {
   }
   PluginShell& shell_;
   mutable device::Gate gate_;
+  bool is_open_ = false;  // the plug-in; of hooks
 };
 
 namespace {
@@ -183,12 +218,11 @@ PluginShell::PluginShell(const config::CfgSection& section, Site& site, std::sha
     : name_(section.name()),
       where_(section.at()),
       site_(site),
-      uses_(section.addresses("requires").size()),
       library_(std::move(library)),
       plugin_(std::move(plugin)),
       isolated_(dynamic_cast<IsolatedPlugin*>(plugin_.get())),
       door_(std::make_shared<PluginDoor>(*this)),
-      client_(site.surroundings(), *this, uses_),
+      client_(site.surroundings(), *this, section.addresses("requires").size()),
       thread_(
           site.surroundings().has_threads() ? PluginThread::Hooks::kOnThread : PluginThread::Hooks::kOnCaller,
           [&network = site.surroundings().network()] { return network.now(); },
@@ -198,9 +232,9 @@ PluginShell::PluginShell(const config::CfgSection& section, Site& site, std::sha
 }
 
 PluginShell::~PluginShell() {
+  door_->shut();  // first: what it uses may be gone
   thread_.end();
   if (isolated_ != nullptr) isolated_->end(time_to_end());
-  door_->shut();
 }
 
 Result<void> PluginShell::begin(const config::CfgSection& section) {
@@ -208,36 +242,37 @@ Result<void> PluginShell::begin(const config::CfgSection& section) {
   if (!provides) return provides.error();
   const auto uses = devices_of(section, site_, "requires");
   if (!uses) return uses.error();
-  std::vector<PluginDevice> own, others;
   std::vector<device::Address> used;
   for (const auto& [device, address] : *provides) {
-    own.push_back(device);
+    own_.push_back(device);
     provides_.push_back(address);
   }
   for (const auto& [device, address] : *uses) {
-    others.push_back(device);
+    others_.push_back(device);
     used.push_back(address);
   }
   if (plugin_ != nullptr)
-    if (const Result<void> good = configure(section, own, others); !good) return good;
+    if (const Result<void> good = configure(section); !good) return good;
   for (const device::Address& address : provides_) {
     const Result<device::DeviceId> id = site_.add_device(address, *this);
     if (!id) return Error{section.at("provides"), id.error().text};
     ids_.push_back(*id);
   }
-  site_.add_user({this, &client_, provides_, used, section.at("requires"), [] { return Result<void>(); }});
+  const auto connected = [this] {
+    is_connected_ = true;
+    return Result<void>();
+  };
+  site_.add_user({this, &client_, provides_, used, section.at("requires"), connected});
   return {};
 }
 
-Result<void> PluginShell::configure(const config::CfgSection& section,
-                                    const std::vector<PluginDevice>& provides,
-                                    const std::vector<PluginDevice>& uses) {
-  plugin_->join(*door_, provides, uses);
+Result<void> PluginShell::configure(const config::CfgSection& section) {
+  plugin_->join(*door_, own_, others_);
   std::string thrown;
   if (const char* why = libraries::thrown_by(thrown, [&] { plugin_->configure(FileSection(section)); }))
     return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), why)};
   const Plugin::Registered& registered = plugin_->registered();
-  if (const std::string fault = fault_of(registered, provides, uses); !fault.empty())
+  if (const std::string fault = fault_of(registered, own_, others_); !fault.empty())
     return Error{section.at(), fmt::format("driver {}: {}", in_quotes(name_), fault)};
   for (const auto& [key, hook] : registered.data)
     data_.emplace_back(client_.latest(key.first, key.second), hook);
@@ -245,43 +280,73 @@ Result<void> PluginShell::configure(const config::CfgSection& section,
   return {};
 }
 
-Result<void> PluginShell::start(device::DeviceId) {
-  if (plugin_ == nullptr) return Error{"", "the code of its driver is not loaded"};
-  if (has_failed_) return Error{"", fmt::format("driver {} has failed", in_quotes(name_))};
-  if (open_ == 0) {
-    if (!client_.is_open())  // it is if close() has not come back yet
-      if (const Result<void> opened = client_.open(); !opened) return opened;
-    thread_.post([plugin = plugin_.get()] { plugin->open(); });
-    look();
-    if (plugin_->registered().period > 0) step();
+void PluginShell::prepare(device::DeviceId device, Prepared heard) {
+  if (has_failed_) return heard(Error{"", fmt::format("driver {} has failed", in_quotes(name_))});
+  if (ready(device)) return heard({});
+  callers_.push_back(std::move(heard));
+  if (callers_.size() > 1) return;
+  client_.prepare([this](const Result<void>& outcome) { outcome ? open() : tell(outcome); });
+}
+
+/// What it requires can be opened.
+void PluginShell::open() {
+  if (!client_.is_open())  // it is if close() has not come back yet
+    if (const Result<void> opened = client_.open(); !opened) return tell(opened);
+  phase_ = Phase::kOpening;
+  look();
+  if (!thread_.post_anyway([plugin = plugin_.get(), door = door_] { door->open(*plugin); }))
+    opened(Error{"", fmt::format("driver {} has failed", in_quotes(name_))});
+}
+
+/// The hook has come back.
+void PluginShell::opened(const Result<void>& outcome) {
+  if (phase_ != Phase::kOpening) return;  // what it requires has retired
+  phase_ = outcome ? Phase::kOpen : Phase::kClosed;
+  if (outcome) {
+    unused_timer_ = site_.surroundings().network().after(kUnusedSeconds, [this] { close(); });
+  } else {
+    look_timer_.reset();
+    client_.close();
   }
-  ++open_;
+  tell(outcome);
+}
+
+void PluginShell::tell(const Result<void>& outcome) {
+  for (const Prepared& heard : std::exchange(callers_, {})) heard(outcome);
+}
+
+Result<void> PluginShell::start(device::DeviceId device) {
+  if (!ready(device)) return Error{"", fmt::format("driver {} is not open", in_quotes(name_))};
+  if (open_++ > 0 || plugin_ == nullptr) return {};
+  unused_timer_.reset();
+  if (plugin_->registered().period > 0) step();
   return {};
 }
 
 void PluginShell::stop(device::DeviceId) {
-  if (--open_ == 0 && !post_close()) client_.close();
+  if (--open_ == 0 && is_in_use()) close();
 }
 
-/// What it uses stays open until the plug-in has stopped what it moves. False: it has failed.
-bool PluginShell::post_close() {
+/// What it uses stays open until the plug-in has stopped what it moves.
+void PluginShell::close() {
   step_timer_.reset();
-  return thread_.post([plugin = plugin_.get(), door = door_] {
-    plugin->close();
-    door->closed();
-  });
+  unused_timer_.reset();
+  phase_ = Phase::kClosing;
+  if (!thread_.post_anyway([plugin = plugin_.get(), door = door_] { door->close(*plugin); })) closed();
 }
 
 void PluginShell::closed() {
-  if (open_ > 0) return;  // it was opened again
+  if (phase_ != Phase::kClosing) return;  // it was opened again
+  phase_ = Phase::kClosed;
   look_timer_.reset();
   client_.close();
 }
 
 /// Its own devices retire as well.
 void PluginShell::retired(device::DeviceId) {
-  if (client_.is_open()) post_close();
+  if (is_in_use()) close();
   client_.close();
+  tell(Error{"", "what it requires has retired"});
 }
 
 std::size_t PluginShell::number_of(device::DeviceId device) const {
@@ -289,7 +354,7 @@ std::size_t PluginShell::number_of(device::DeviceId device) const {
 }
 
 device::Taken PluginShell::command(const device::Message& message) {
-  if (!client_.is_open()) return device::Taken::kNo;  // it must not wait for the next client
+  if (phase_ != Phase::kOpen) return device::Taken::kNo;  // it must not wait for the next client
   const auto& commands = plugin_->registered().commands;
   const auto found = commands.find({number_of(message.device), message.subtype});
   if (found == commands.end()) return device::Taken::kNo;
@@ -298,7 +363,7 @@ device::Taken PluginShell::command(const device::Message& message) {
 }
 
 void PluginShell::request(const device::Message& message, device::Replier replier) {
-  if (!client_.is_open()) return;
+  if (phase_ != Phase::kOpen) return;
   const auto& requests = plugin_->registered().requests;
   const auto found = requests.find({number_of(message.device), message.subtype});
   if (found == requests.end()) return;
@@ -315,7 +380,11 @@ bool PluginShell::capable(device::DeviceId device, std::uint8_t type, std::uint8
   const Plugin::Registered& registered = plugin_->registered();
   const Plugin::MessageKey key{number_of(device), subtype};
   if (type == static_cast<std::uint8_t>(wire::MessageType::kCmd)) return registered.commands.contains(key);
-  return type == static_cast<std::uint8_t>(wire::MessageType::kReq) && registered.requests.contains(key);
+  if (type != static_cast<std::uint8_t>(wire::MessageType::kReq)) return false;
+  const auto found = registered.requests.find(key);
+  if (found == registered.requests.end()) return false;
+  const auto* const passed_on = found->second.target<PassedOn>();
+  return passed_on == nullptr || client_.capable(passed_on->used, type, subtype);
 }
 
 void PluginShell::barrier(device::Replier replier) {
@@ -359,14 +428,22 @@ void PluginShell::failed(const std::string& why) {
   log::error("{}: driver {} has failed, and its devices retire: {}", where_, in_quotes(name_), why);
   thread_.end();
   if (isolated_ != nullptr) isolated_->kill(why);
-  site_.surroundings().post([this] {
+  site_.surroundings().post([this, why] {
+    phase_ = Phase::kClosed;
+    unused_timer_.reset();
     client_.close();
+    tell(Error{"", why});
     site_.retire_later(provides_);
   });
 }
 
+void PluginShell::warn_once(const std::string& line) {
+  if (told_.add(line)) log::warn("driver {}: {}", in_quotes(name_), line);
+}
+
 /// All hooks and the end of a process share one time.
 void PluginShell::finish() {
+  if (is_in_use()) close();  // nobody has begun to use it yet
   if (isolated_ == nullptr) return thread_.finish();
   const auto until = time_to_end();
   thread_.finish([this] { isolated_->kill("it does not end"); });
@@ -382,8 +459,7 @@ struct MadePlugin {
   std::unique_ptr<Plugin> plugin;
 };
 
-Result<MadePlugin> make_in_this_process(const config::CfgSection& section,
-                                        const libraries::WantedLibrary& wanted,
+Result<MadePlugin> make_in_this_process(const libraries::WantedLibrary& wanted,
                                         const libraries::Libraries& libraries,
                                         std::vector<std::string>& warnings) {
   MadePlugin made;
@@ -392,7 +468,7 @@ Result<MadePlugin> make_in_this_process(const config::CfgSection& section,
   made.library = std::move(*library);
   if (made.library == nullptr) return made;
   auto plugin = made.library->make<Plugin>();
-  if (!plugin) return Error{section.at("plugin"), plugin.error().line()};
+  if (!plugin) return Error{wanted.where, plugin.error().line()};
   made.plugin = std::move(*plugin);
   return made;
 }
@@ -417,18 +493,33 @@ Result<MadePlugin> make_isolated(const config::CfgSection& section, Site& site,
   return MadePlugin{nullptr, std::move(*plugin)};
 }
 
-}  // namespace
-
-Result<std::unique_ptr<device::Driver>> make_plugin(const config::CfgSection& section, Site& site) {
-  std::vector<std::string> warnings;
+/// Where the library of a plug-in may be.
+libraries::Libraries libraries_for(const config::PluginField& plugin, Site& site) {
   libraries::Libraries libraries = site.surroundings().libraries();
-  const std::string beside = std::filesystem::path(section.filename("plugin", "")).parent_path().string();
+  const std::string beside = std::filesystem::path(plugin.folder).parent_path().string();
   libraries.folders =
       libraries::library_folders(beside.empty() ? "." : beside, "PLAYERPATH", program_folder());
-  const libraries::WantedLibrary wanted{kPluginAbi, section.text("plugin", ""), section.at("plugin"), {}};
+  return libraries;
+}
+
+libraries::WantedLibrary wanted_for(const config::PluginField& plugin) {
+  return {kPluginAbi, plugin.name, plugin.where, {}};
+}
+
+}  // namespace
+
+bool plugin_is_there(const config::PluginField& plugin, Site& site) {
+  return libraries::is_there(wanted_for(plugin), libraries_for(plugin, site));
+}
+
+Result<std::unique_ptr<device::Driver>> make_plugin(const config::CfgSection& section,
+                                                    const config::PluginField& plugin, Site& site) {
+  std::vector<std::string> warnings;
+  const libraries::Libraries libraries = libraries_for(plugin, site);
+  const libraries::WantedLibrary wanted = wanted_for(plugin);
   Result<MadePlugin> made = section.flag("isolated", false)
                                 ? make_isolated(section, site, wanted, libraries, warnings)
-                                : make_in_this_process(section, wanted, libraries, warnings);
+                                : make_in_this_process(wanted, libraries, warnings);
   if (!made) return made.error();
   for (const std::string& line : warnings) site.warn(line);
   auto shell =

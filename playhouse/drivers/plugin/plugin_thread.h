@@ -40,7 +40,7 @@ class PluginThread {
   /// Any thread. False: limits::kPluginQueue hooks wait already, or it has ended; the hook is dropped.
   bool post(Hook hook) { return post(std::move(hook), limits::kPluginQueue); }
   /// Likewise, however many wait: for hooks whose number somebody else limits.
-  void post_anyway(Hook hook) { post(std::move(hook), std::numeric_limits<std::size_t>::max()); }
+  bool post_anyway(Hook hook) { return post(std::move(hook), std::numeric_limits<std::size_t>::max()); }
   /// For how long a hook has been running. [s]
   double busy() const;
   /// Drops hooks that wait, and those that are posted from now on. Any thread.

@@ -5,15 +5,19 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 #include "playhouse/drivers/plugin/plugin.h"
 #include "playhouse/wire/generated/aio.h"
@@ -94,10 +98,13 @@ class Probe : public pd::Plugin {
     const std::size_t of_command = fault_ == "device" ? 7 : kAio;
     on_command<aio::Cmd>(of_command, fault_ == "subtype" ? 9 : aio::kCmdState,
                          [this](const aio::Cmd& set) { take(set.voltage); });
-    on_request<op::Data>(kOwn, op::kReqData, [this](const op::Data& asked, pd::PluginReply reply) {
-      if (asked == bytes_of("?")) reply.ack(bytes_of(read_));
-      if (!asked.data.empty()) reply.ack(asked);
-    });
+    if (section.flag("passes", false)) {
+      pass_on(kOwn, kOther);
+    } else {
+      on_request<op::Data>(kOwn, op::kReqData, [this](const op::Data& asked, pd::PluginReply reply) {
+        answer(asked, std::move(reply));
+      });
+    }
     if (!uses().empty())
       on_data<op::Data>(kOther, op::kDataState, [this](const op::Data& seen, double) {
         publish(kOwn, op::kDataState, op::Data{{seen.data.rbegin(), seen.data.rend()}});
@@ -115,18 +122,50 @@ class Probe : public pd::Plugin {
     return text;
   }
 
+  void answer(const op::Data& asked, pd::PluginReply reply) {
+    const std::string text(asked.data.begin(), asked.data.end());
+    if (text == "?") return reply.ack(bytes_of(read_));
+    const auto shared = std::make_shared<pd::PluginReply>(std::move(reply));
+    if (text.starts_with("value of "))
+      ask<op::Data>(
+          kOther, op::kReqData, bytes_of(text.substr(9)),
+          [shared](const std::optional<op::Data>& value) { shared->ack(value ? *value : bytes_of("none")); });
+    else if (text.starts_with("ack of "))
+      ask(kOther, op::kReqData, bytes_of(text.substr(7)),
+          [shared](bool ack) { shared->ack(bytes_of(ack ? "yes" : "no")); });
+    else if (text == "nobody")
+      ask(99, op::kReqData, [shared](bool ack) { shared->ack(bytes_of(ack ? "yes" : "no")); });
+    else if (!text.empty())
+      shared->ack(asked);
+  }
+
+  /// What is no message of its devices.
+  void say_nonsense() {
+    publish(99, op::kDataState, op::Data{});
+    publish(kOwn, 77, op::Data{});
+    publish(kOwn, op::kDataState, op::Data{}, std::nan(""));
+    command(99, op::kCmdData, op::Data{});
+    ask(99, op::kReqData, [](bool) {});
+  }
+
   void take(float voltage) {
     do_wrong(fault_);
+    if (fault_ == "says nonsense") say_nonsense();
     publish(kAio, aio::kDataState, aio::Data{{voltage}}, 12.5);
   }
-  void open() override { say("open"); }
+  void open() override {
+    if (fault_ == "fails to open" && ++opens_ % 2 != 0) throw std::runtime_error("there is\nno port");
+    say("open");
+  }
   void close() override {
+    if (fault_ == "fails to open") say("close");
     if (!uses().empty()) command(kOther, op::kCmdData, bytes_of("stop"));
   }
   void step() override { say("step"); }
   void say(const std::string& text) { publish(kOwn, op::kDataState, bytes_of(text)); }
 
   std::string fault_, read_;
+  int opens_ = 0;
 };
 
 }  // namespace
