@@ -4,10 +4,10 @@
 
 namespace playhouse::drivers {
 
-namespace {
-
 namespace lsr = wire::laser;
 namespace rng = wire::ranger;
+
+namespace {
 
 RangerReading reading_of(const lsr::Data& scan) {
   return {{scan.ranges.begin(), scan.ranges.end()}, {scan.intensity.begin(), scan.intensity.end()}};

@@ -34,6 +34,7 @@ class ToldDevices final : public device::Driver {
   }
   void request(const device::Message& message, device::Replier replier) override {
     requests.push_back({message.device, message.subtype, {message.body.begin(), message.body.end()}});
+    if (holds) return held.push_back(std::move(replier));
     const auto found = answers.find({message.device.row, message.subtype});
     if (found != answers.end()) replier.ack(found->second);
   }
@@ -43,6 +44,8 @@ class ToldDevices final : public device::Driver {
 
   std::map<std::pair<std::uint32_t, std::uint8_t>, std::vector<std::byte>> answers;
   std::vector<ToldMessage> commands, requests;
+  bool holds = false;  // requests wait
+  std::vector<device::Replier> held;
 };
 
 class DriverBench {
