@@ -1,5 +1,6 @@
 """The small drivers that configuration files put between a robot and a client: what a client reads and drives through them."""
 
+import json
 import math
 import struct
 import sys
@@ -153,6 +154,35 @@ driver( name "goto" provides ["position2d:6"] requires ["position2d:5"] )
             self.go_on(client)
             self.assertLess(math.dist(client.pose("r0")[:2], (1, 1)), 0.1)
             self.assertLess(math.dist(client.pose("r1")[:2], (-6, 3)), 0.1)
+
+
+class Runs(Filters):
+    def result(self, *arguments) -> dict:
+        """Of a run in which a goal is given before the first tick, through a chain of drivers."""
+        with self.serve("""
+driver( name "deadstop" provides ["position2d:5"] requires ["position2d:0"] timeout 0.5 )
+driver( name "lasersafe" provides ["position2d:6"] requires ["position2d:5" "laser:0"] safedistance 0.6 )
+driver( name "goto" provides ["position2d:7"] requires ["position2d:6"] )
+driver( name "gridmap" provides ["map:0"] requires ["position2d:0" "laser:0"] sonartreshold 8 alwayson 1 )
+driver( name "fakelocalize" provides ["localize:0"] requires ["simulation:0"] model "r0" alwayson 1 )
+""", "--duration", 20, "--json", *arguments) as house, Client(house.port()) as client:
+            self.assertEqual(client.open(POSITION2D, 7).type, ACK)
+            client.send(POSITION2D, 7, CMD, 2, struct.pack(">ddddddI", 5, 1, 0, 0, 0, 0, 1))
+            client.request(POSITION2D, 7, GET_GEOM)
+            self.go_on(client)
+            poses = []
+            with self.assertRaises(ConnectionError):  # the end of the run
+                while True:
+                    poses.append(struct.unpack_from(">d", client.next_data(POSITION2D, 7).body)[0])
+            self.assertEqual(house.wait(), 0, house.log())
+            self.assertGreater(poses[-1], 1.5, "it drives")
+            self.assertLess(poses[-1], 2.6, "and stops before the wall")
+            return json.loads(house.output())
+
+    def test_a_run_with_them_is_the_same_to_the_bit_each_time(self):
+        first, again = self.result(), self.result("--workers", 4)
+        for word in ("ticks", "hash", "sensed_hash"):
+            self.assertEqual(again[word], first[word])
 
 
 class Maps(Filters):
