@@ -192,7 +192,7 @@ TEST_P(EachDriver, warns_of_another_word_with_the_nearest_option) {
   for (const Option& option : options_of(driver)) {
     if (option.name.starts_with("ranger_") || option.name.starts_with("sonar_") || option.name.ends_with(']'))
       continue;
-    const std::string slip = option.name + "x";
+    const std::string slip = option.name + "q";
     const Outcome outcome =
         outcome_of(file_with(driver, provided_by(driver).front(), choices(driver.uses).front(),
                              required_of(driver) + fmt::format(" {} 1", slip)));

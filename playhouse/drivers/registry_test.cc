@@ -367,7 +367,7 @@ TEST(Registry, leaves_out_drivers_that_it_lacks_and_those_that_require_them) {
   ASSERT_EQ(site.build(std::string(kStage) + R"(
 driver( name "stage" provides ["position2d:0" "laser:0"] model "r0" )
 driver( name "rangertolaser" requires ["ranger:7"] provides ["laser:7"] )
-driver( name "lasertoranger" requires ["laser:0"] provides ["ranger:7"] speed 3 )
+driver( name "laserptzcloud" requires ["laser:0"] provides ["ranger:7"] speed 3 )
 driver( name "writelog" requires ["laser:0"] provides ["log:0"] alwayson 1 )
 driver( name "nd" requires ["position2d:0" "laser:7"] provides ["position2d:7"] ))"),
             "");
@@ -375,9 +375,9 @@ driver( name "nd" requires ["position2d:0" "laser:7"] provides ["position2d:7"] 
   EXPECT_THAT(
       site.site().warnings(),
       ElementsAre(
-          "test.cfg:5: driver \"lasertoranger\" is left out: this program has no such driver; it has "
-          "amcl, dummy, health, localbb, mapfile, nd, passthrough, rangertolaser, relay, stage, "
-          "statgrabdriver, vfh, wavefront",
+          AllOf(StartsWith("test.cfg:5: driver \"laserptzcloud\" is left out: this program has no such "
+                           "driver; it has amcl, "),
+                EndsWith(", statgrabdriver, suppressor, vfh, wavefront")),
           "test.cfg:6: driver \"writelog\" is left out: this program has no such driver; the option --record "
           "records a run",
           "test.cfg:4: driver \"rangertolaser\" is left out: it requires \"ranger:7\", which test.cfg:5 "

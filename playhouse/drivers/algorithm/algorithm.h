@@ -34,6 +34,8 @@ class Algorithm {
 
   // Tick thread.
 
+  /// A tick of a simulated world is done.
+  virtual void ticked() {}
   /// The run goes on from there; steps posted before were dropped. The seed is the driver's own.
   virtual void rewound(const Moment&) {}
   /// The world put its robot elsewhere, as by RESET.

@@ -39,8 +39,9 @@ void Shell::forward_request(std::uint8_t subtype, std::size_t to, std::size_t de
                                  to};
 }
 
-void Shell::forward_others(std::size_t to, TakeCommand take) {
-  others_ = {to, std::move(take)};
+void Shell::forward_others(std::size_t to, TakeCommand take, std::size_t device,
+                           std::vector<std::size_t> also) {
+  others_[device] = {to, std::move(take), std::move(also)};
 }
 
 Result<void> Shell::start(device::DeviceId) {
@@ -68,19 +69,29 @@ std::size_t Shell::number_of(device::DeviceId device) const {
   return found == provided_.end() ? 0 : static_cast<std::size_t>(found - provided_.begin());
 }
 
+/// Null if it refuses what is not registered.
+const Shell::Others* Shell::others_of(device::DeviceId device) const {
+  const auto found = others_.find(number_of(device));
+  return found == others_.end() ? nullptr : &found->second;
+}
+
 device::Taken Shell::command(const device::Message& message) {
   if (!client_.is_open()) return device::Taken::kNo;  // it must not wait for the next client
   const auto found = commands_.find({number_of(message.device), message.subtype});
   if (found != commands_.end()) return found->second(message);
-  return forwards(message.device) ? others_->take(message) : device::Taken::kNo;
+  const Others* others = others_of(message.device);
+  return others != nullptr ? others->take(message) : device::Taken::kNo;
 }
 
 void Shell::request(const device::Message& message, device::Replier replier) {
   if (refusal_ && asks_for_refusal(message)) return answer_refusal(refusal_(), std::move(replier));
   const auto found = answers_.find({number_of(message.device), message.subtype});
   if (found != answers_.end()) return found->second.take(message, std::move(replier));
-  if (forwards(message.device))
-    client_.forward(others_->to, message.subtype, message.body, std::move(replier));
+  const Others* others = others_of(message.device);
+  if (others == nullptr) return;
+  for (const std::size_t device : others->also)
+    client_.ask(device, message.subtype, message.body, [](const AnswerBody&) {});
+  client_.forward(others->to, message.subtype, message.body, std::move(replier));
 }
 
 bool Shell::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const {
@@ -92,7 +103,8 @@ bool Shell::capable(device::DeviceId device, std::uint8_t type, std::uint8_t sub
     if (found != answers_.end())
       return !found->second.by || client_.capable(*found->second.by, type, subtype);
   }
-  return forwards(device) && client_.capable(others_->to, type, subtype);
+  const Others* others = others_of(device);
+  return others != nullptr && client_.capable(others->to, type, subtype);
 }
 
 Result<void> Shell::follow(SiteWorld& world, device::Address robot, std::span<const device::Address> own) {

@@ -76,8 +76,10 @@ class Shell final : public device::Driver, public RunListener {
   }
   /// A request that a device which it uses answers.
   void forward_request(std::uint8_t subtype, std::size_t to, std::size_t device = 0);
-  /// So are all of the first device that are not registered; what becomes of such commands is up to `take`.
-  void forward_others(std::size_t to, TakeCommand take);
+  /// So are all of a device that are not registered; what becomes of such commands is up to `take`. Devices of `also`
+  /// are asked the same, and what they answer is dropped.
+  void forward_others(std::size_t to, TakeCommand take, std::size_t device = 0,
+                      std::vector<std::size_t> also = {});
   /// The property "refusal" (refusal.h).
   void on_refusal_asked(std::function<std::string()> why) { refusal_ = std::move(why); }
 
@@ -113,7 +115,10 @@ class Shell final : public device::Driver, public RunListener {
 
   // RunListener
 
-  void ticked(std::uint64_t tick) override { thread_.ticked(tick); }
+  void ticked(std::uint64_t tick) override {
+    thread_.ticked(tick);
+    algorithm_->ticked();
+  }
   void rewound(const Moment& moment) override;
   void placed() override { algorithm_->placed(); }
 
@@ -125,10 +130,11 @@ class Shell final : public device::Driver, public RunListener {
   struct Others {
     std::size_t to = 0;
     TakeCommand take;
+    std::vector<std::size_t> also;
   };
   using DeviceSubtype = std::pair<std::size_t, std::uint8_t>;  // device and subtype
   std::size_t number_of(device::DeviceId device) const;
-  bool forwards(device::DeviceId device) const { return others_ && number_of(device) == 0; }
+  const Others* others_of(device::DeviceId device) const;
   void close();
 
   const std::string name_;
@@ -141,7 +147,7 @@ class Shell final : public device::Driver, public RunListener {
   // Not changed once the algorithm is made.
   std::map<DeviceSubtype, TakeCommand> commands_;
   std::map<DeviceSubtype, RequestTaker> answers_;
-  std::optional<Others> others_;
+  std::map<std::size_t, Others> others_;  // by device
   std::function<std::string()> refusal_;
 
   std::unique_ptr<Algorithm> algorithm_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "playhouse/drivers/algorithm/conversion.h"
 #include "playhouse/drivers/decoded.h"
 #include "playhouse/drivers/scan_settings.h"
 #include "playhouse/geom/pose.h"
@@ -57,21 +58,6 @@ lsr::Data laser_scan(const rng::Config& config, const rng::DataRange& ranges,
   return scan;
 }
 
-/// Answers `subtype` of the laser with what the ranger answers to `of_ranger`, converted.
-template <typename From, typename Convert>
-void convert_answers(Shell& shell, std::size_t ranger, std::uint8_t subtype, std::uint8_t of_ranger,
-                     Convert convert) {
-  shell.on_request(subtype,
-                   [&shell, ranger, of_ranger, convert](const device::Message&, device::Replier replier) {
-                     // A std::function must be copyable.
-                     const auto shared = std::make_shared<device::Replier>(std::move(replier));
-                     shell.client().ask(ranger, of_ranger, {}, [shared, convert](const AnswerBody& body) {
-                       if (const std::optional<From> value = decoded<From>(body))
-                         shared->ack(wire::encode(convert(*value)));
-                     });
-                   });
-}
-
 }  // namespace
 
 RangerToLaser::RangerToLaser(Shell& shell)
@@ -100,23 +86,16 @@ Result<void> RangerToLaser::fits(const SiteWorld& world, device::Address ranger)
 void RangerToLaser::set_configuration(const device::Message& message, device::Replier replier) {
   const auto asked = wire::decode<lsr::Config>(message.body);
   if (!asked) return;
-  const auto shared =
-      std::make_shared<device::Replier>(std::move(replier));  // std::function must be copyable
-  const auto set = [this, shared, laser = *asked](const AnswerBody& body) {
-    std::optional<rng::Config> wanted = decoded<rng::Config>(body);
-    if (!wanted) return;
-    wanted->min_angle = static_cast<double>(laser.min_angle);
-    wanted->max_angle = static_cast<double>(laser.max_angle);
-    if (laser.resolution != 0) wanted->angular_res = laser_resolution(laser.resolution);
-    if (laser.max_range != 0) wanted->max_range = static_cast<double>(laser.max_range);
-    if (laser.range_res != 0) wanted->range_res = static_cast<double>(laser.range_res);
-    if (laser.scanning_frequency != 0) wanted->frequency = static_cast<double>(laser.scanning_frequency);
-    shell_.client().ask(kRanger, rng::kReqSetConfig, wire::encode(*wanted), [shared](const AnswerBody& now) {
-      if (const std::optional<rng::Config> config = decoded<rng::Config>(now))
-        shared->ack(wire::encode(laser_config(*config)));
-    });
+  const auto change = [laser = *asked](rng::Config& wanted) {
+    wanted.min_angle = static_cast<double>(laser.min_angle);
+    wanted.max_angle = static_cast<double>(laser.max_angle);
+    if (laser.resolution != 0) wanted.angular_res = laser_resolution(laser.resolution);
+    if (laser.max_range != 0) wanted.max_range = static_cast<double>(laser.max_range);
+    if (laser.range_res != 0) wanted.range_res = static_cast<double>(laser.range_res);
+    if (laser.scanning_frequency != 0) wanted.frequency = static_cast<double>(laser.scanning_frequency);
   };
-  shell_.client().ask(kRanger, rng::kReqGetConfig, {}, set);
+  change_configuration<rng::Config>(shell_, kRanger, rng::kReqGetConfig, rng::kReqSetConfig,
+                                    std::move(replier), change, laser_config);
 }
 
 void RangerToLaser::opened() {
