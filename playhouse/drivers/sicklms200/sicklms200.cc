@@ -67,19 +67,19 @@ double patience_of_step(std::uint8_t code) {
   return code == sick::kSetBlock ? 10 : code == sick::kSetMode ? 1 : 5;
 }
 
-bool is_near(double value, double wanted) {
+bool is_about(double value, double wanted) {
   return std::fabs(value - wanted) < 0.01 * wanted;
 }
 
 std::optional<std::uint8_t> unit_of(double range_res) {
   for (const std::uint8_t unit : {sick::kCentimetre, sick::kMillimetre, sick::kDecimetre})
-    if (is_near(range_res, sick::metres_of(unit))) return unit;
+    if (is_about(range_res, sick::metres_of(unit))) return unit;
   return std::nullopt;
 }
 
 std::optional<sick::LmsVariant> variant_of(double resolution) {
   for (const int hundredths : {25, 50, 100})
-    if (is_near(resolution, hundredths * kHundredthDegree))
+    if (is_about(resolution, hundredths * kHundredthDegree))
       return sick::LmsVariant{hundredths == 25 ? 100 : 180, hundredths};
   return std::nullopt;
 }
