@@ -29,6 +29,7 @@ Emulator::Emulator(std::string name, Site& site, EmulatorPlace place, UsedDevice
     : name_(std::move(name)),
       site_(site),
       place_(std::move(place)),
+      serial_(place_.serial),
       addresses_([&used] {
         std::vector<device::Address> addresses;
         for (const std::optional<device::Address>& each : used)
@@ -107,8 +108,19 @@ std::unique_ptr<net::Timer> Emulator::after(double seconds, std::function<void()
   return site_.surroundings().network().after(seconds, std::move(task));
 }
 
+double Emulator::now() const {
+  return site_.surroundings().network().now();
+}
+
 bool Emulator::speaks_as_set() const {
-  return terminal_ == nullptr || terminal_->settings() == place_.serial;
+  return terminal_ == nullptr || place_.at_any_speed || terminal_->settings() == serial_;
+}
+
+void Emulator::speak(const net::SerialSettings& serial) {
+  serial_ = serial;
+  if (terminal_ == nullptr) return;
+  if (const Result<void> set = terminal_->set(serial); !set)
+    log::warn("driver {}: {}", in_quotes(name_), set.error().line());
 }
 
 void Emulator::send(std::span<const std::byte> bytes) {

@@ -34,6 +34,7 @@ struct EmulatorPlace {
   std::string link;            // of a pseudo-terminal; empty: TCP
   std::uint16_t tcp_port = 0;  // of this machine
   net::SerialSettings serial;  // of the hardware
+  bool at_any_speed = false;   // as by USB, where a speed means nothing
 };
 
 /// Reads `port` and `tcp_port`: one of them is needed.
@@ -101,7 +102,11 @@ class Emulator : public device::Driver, private net::SerialEvents, private net::
   [[nodiscard]] std::unique_ptr<net::Timer> after(double seconds, std::function<void()> task);
   /// True if whoever opened the line set it as the hardware needs it; always by TCP.
   bool speaks_as_set() const;
+  /// The hardware speaks otherwise from now on, as after a command that changes its speed.
+  void speak(const net::SerialSettings& serial);
   const EmulatorPlace& place() const { return place_; }
+  /// s, of a steady clock.
+  double now() const;
 
   /// Of bytes of the host, at the right speed.
   virtual void line_received(std::span<const std::byte> bytes) = 0;
@@ -123,6 +128,7 @@ class Emulator : public device::Driver, private net::SerialEvents, private net::
   const std::string name_;
   Site& site_;
   const EmulatorPlace place_;
+  net::SerialSettings serial_;  // of the hardware now
   std::vector<device::Address> addresses_;
   std::vector<std::optional<std::size_t>> numbers_;  // of client_, for those that may be used
   device::DeviceClient client_;
