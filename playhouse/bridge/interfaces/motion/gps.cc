@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "playhouse/bridge/generated/device_makers.h"
-#include "playhouse/bridge/interfaces/motion/geodesy.h"
+#include "playhouse/drivers/geodesy.h"
 
 namespace playhouse::drivers {
 namespace {

@@ -1,6 +1,6 @@
 // Places on the earth: against published coordinates, and against the ellipsoid itself.
 
-#include "playhouse/bridge/interfaces/motion/geodesy.h"
+#include "playhouse/drivers/geodesy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "playhouse/bridge/interfaces/motion/geodesy.h"
+#include "playhouse/drivers/geodesy.h"
 
 #include <algorithm>
 #include <array>
