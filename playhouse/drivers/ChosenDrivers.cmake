@@ -29,7 +29,7 @@ foreach(DRIVER ${DRIVERS})
     list(APPEND CHOSEN ${NAME})
     list(APPEND CHOSEN_FAMILIES ${FAMILY})
     list(APPEND DEFINITIONS ${NAME}:${DEFINITION})
-    if(NAME IN_LIST EMULATED)
+    if(NAME IN_LIST EMULATED AND NOT PLAYHOUSE_CORE)  # the device server alone is for the robot itself
       list(APPEND DEFINITIONS ${NAME}_emulator:${DEFINITION}Emulator)
     endif()
   elseif(FAMILY)

@@ -31,7 +31,8 @@ Ptu46EmulatorOptions ptu46_emulator_options(SectionFields& fields) {
   options.place = read_emulator_place(fields, {.baud = baud});
   options.resolution = fields.number({"resolution", "Arc seconds in a count.", "arcsec"}, 185.1428, 0.1);
   const auto limit = [&](const OptionText& text, double otherwise, std::size_t element) {
-    const double angle = fields.angle(text, otherwise * std::numbers::pi / 180, element, -std::numbers::pi);
+    const double angle =
+        fields.angle(text, otherwise * std::numbers::pi / 180, element, SectionFields::kAnyNumber);
     return static_cast<int>(
         std::clamp(std::round(ptu::counts_of(angle, options.resolution)), -32767.0, 32767.0));
   };
