@@ -88,6 +88,45 @@ class Host:
                 return struct.unpack_from("<HHh", data, 1)
 
 
+LASER_WORLD = """
+interval_sim 100
+define scanner position( size [0.5 0.4 0.2] ranger( sensor( range [0 7] fov 180 samples 181 ) ) )
+model( name "wall" pose [3 0 0 0] size [0.2 10 1] color "gray" )
+scanner( name "r0" pose [0 0 0 0] joules 1000 )
+"""
+
+
+class Scanners(HouseTest):
+    def emulate(self, name: str, *words) -> House:
+        house = self.enterContext(self.run_house(world=self.world(LASER_WORLD)))
+        self.addCleanup(Emulated(name, "--server", f":{house.port()}", "--robot", "r0", *words).end)
+        return house
+
+    def expect_wall(self, name: str, port):
+        """Straight ahead, 2.9 m away."""
+        metal = self.enterContext(House("serve", self.write(
+            "metal.cfg", f'driver( name "{name}" port "{port}" provides ["laser:0"] )'), "--port", 0, "--headless"))
+        with connect(f":{metal.port()}", timeout=20) as client:
+            laser = client.laser()
+            laser.next_data()
+            wait_until(lambda: client.read() and abs(laser.ranges[len(laser.ranges) // 2] - 2.9) < 0.02, "the wall is seen")
+
+    def test_a_second_server_sees_by_a_serial_line_what_a_simulated_laser_sees(self):
+        for name in ("sicklms200", "urglaser", "rplidar"):
+            with self.subTest(name):
+                line = self.folder / name
+                self.emulate(name, "--port", line)
+                self.expect_wall(name, line)
+
+    def test_by_tcp_as_well(self):
+        (port,) = free_ports()
+        self.emulate("urglaser", "--tcp-port", port, "--option", "model=UST-10LX")
+        with socket.create_connection(("127.0.0.1", port), timeout=20) as line:
+            line.sendall(b"PP\n")
+            self.assertIn(b"MODL:UST-10LX(Hokuyo Automatic Co.,Ltd.)", line.recv(4096))
+        self.expect_wall("urglaser", f"tcp:127.0.0.1:{port}")
+
+
 class Hardware(HouseTest):
     def robot(self) -> House:
         return self.enterContext(self.run_house(world=self.world(WORLD)))

@@ -197,6 +197,32 @@ TEST_F(SickScript, a_laser_that_refuses_the_password_is_given_up) {
   EXPECT_TRUE(is_retired());
 }
 
+TEST_F(SickScript, a_pls_is_asked_for_nothing_but_its_scans) {
+  laser = std::make_unique<FarEnd>(network_, "/dev/laser",
+                                   net::SerialSettings{.parity = net::SerialParity::kEven});
+  ASSERT_EQ(build(R"(driver( name "sickpls" port "/dev/laser" provides ["laser:1"] )"
+                  R"(connect_rate [9600] transfer_rate 9600 ))"),
+            "");
+  client = client_of(lsr::kCode, 1);
+  EXPECT_EQ(to_hex(laser->take()), "02 00 02 00 20 25 35 08");
+  say("06 02 80 03 00 a0 00 10 16 0a");
+  EXPECT_EQ(to_hex(laser->take(1.2)), "02 00 02 00 20 24 34 08");
+  say("06 02 80 03 00 a0 00 10 16 0a");
+  laser->send(sick::from_laser(sick::encode_scan({.values = std::vector<int>(361, 512)})));
+  const lsr::Data data = heard();
+  ASSERT_EQ(data.ranges.size(), 361u);
+  EXPECT_NEAR(data.ranges[7], 5.12, 1e-5) << "in centimetres";
+}
+
+TEST_F(SickScript, all_speeds_are_tried_again_after_the_delay_as_often_as_is_said) {
+  begin(" connect_rate [9600] transfer_rate 9600 delay 5 retry 1");
+  EXPECT_EQ(to_hex(laser->take(4.9)), "");
+  laser->take(3);
+  EXPECT_EQ(to_hex(laser->take(2.5)).substr(0, 23), "02 00 02 00 20 25 35 08");
+  network_.run_for(2);
+  EXPECT_TRUE(is_retired());
+}
+
 class SickPair : public HardwareTest {
  protected:
   server::FakeDriver& seen = add_device(lsr::kCode);

@@ -90,6 +90,7 @@ void UrglaserEmulator::take(const std::string& line) {
   if (text == "VV") return answer(line, "00", version(true));
   if (text == "PP") return answer(line, "00", scip::parameter_lines(model_));
   if (text == "II") return answer(line, "00", state());
+  if (text == "%ST") return answer(line, "00", scip::data_lines(state_number(), true));
   if (text == "BM") return switch_laser(line);
   if (text == "QT") return end_scans(line, false);
   if (text == "RS" || text == "RT") return end_scans(line, true);
@@ -194,6 +195,13 @@ std::vector<std::string> UrglaserEmulator::version(bool has_checks) const {
           line("PROD", fmt::format("SOKUIKI Sensor {}", model_.name)), line("FIRM", firmware),
           line("PROT", is_scip1_ ? "00003,(SCIP 1.1)" : "00003,(SCIP 2.0)"),
           line("SERI", options_.serial_number)};
+}
+
+/// Standby, time adjustment, single scans, scans without end.
+std::string_view UrglaserEmulator::state_number() const {
+  if (always_) return "004";
+  if (laser_on_) return "003";
+  return tells_time_ ? "002" : "000";
 }
 
 std::vector<std::string> UrglaserEmulator::state() const {

@@ -53,6 +53,7 @@ class UrglaserEmulator final : public Emulator {
   void order(const std::string& line, const std::string& text);
   void order_scip1(const std::string& line);
   std::vector<std::string> version(bool has_checks) const;
+  std::string_view state_number() const;
   std::vector<std::string> state() const;
 
   void turn();

@@ -336,6 +336,7 @@ TEST_F(UrgAlone, answers_as_a_scanner_does) {
   EXPECT_TRUE(ask("PP").ends_with("AFRT:384;6\nSCAN:600;e\n\n"));
   EXPECT_TRUE(ask("VV").starts_with("VV\n00P\nVEND:Hokuyo Automatic Co.,Ltd.;[\n"));
   EXPECT_NE(ask("II").find("LASR:OFF;"), std::string::npos);
+  EXPECT_EQ(ask("%ST"), "%ST\n00P\n000@\n\n");
   EXPECT_EQ(ask("TM1"), "TM1\n04T\n\n");
   EXPECT_EQ(ask("TM0"), "TM0\n00P\n\n");
   EXPECT_EQ(ask("TM1").size(), 15u) << "echo, status, four characters and their check";
@@ -345,6 +346,7 @@ TEST_F(UrgAlone, answers_as_a_scanner_does) {
   EXPECT_EQ(ask("GD0044072501"), "GD0044072501\n10Q\n\n") << "the laser is off";
   EXPECT_EQ(ask("BM"), "BM\n00P\n\n");
   EXPECT_EQ(ask("BM"), "BM\n02R\n\n");
+  EXPECT_EQ(ask("%ST"), "%ST\n00P\n003C\n\n");
   EXPECT_EQ(ask("GD0044076901").substr(13, 2), "04");
   EXPECT_EQ(ask("GD0044004301").substr(13, 2), "05");
   EXPECT_EQ(ask("GDxx44004301").substr(13, 2), "01");
