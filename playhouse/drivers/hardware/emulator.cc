@@ -17,7 +17,10 @@ constexpr double kPause = 0.25;  // s between two bytes, in which no frame goes 
 EmulatorPlace read_emulator_place(SectionFields& fields, const net::SerialSettings& serial) {
   EmulatorPlace place{.serial = serial};
   place.link = fields.filename(
-      {"port", "Name of the pseudo-terminal that it makes, which other programs open as a serial port."});
+      {"port",
+       "Name of the pseudo-terminal that it makes, which other programs open as a serial port.",
+       {},
+       "required without tcp_port"});
   place.tcp_port = static_cast<std::uint16_t>(fields.integer(
       {"tcp_port", "TCP port that it listens at on this machine, instead; 0: none."}, 0, 0, 65535));
   fields.expect(place.link.empty() != (place.tcp_port == 0), "port",

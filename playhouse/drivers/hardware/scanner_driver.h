@@ -18,8 +18,8 @@ namespace playhouse::drivers {
 
 /// What each of them offers.
 inline constexpr DeviceText kScannerProvides[] = {
-    {"laser", {}, HowMany::kOneOrNone},
-    {"ranger", {}, HowMany::kOneOrNone, "the same scans"},
+    {"laser", {}, HowMany::kSomeOfThese},
+    {"ranger", {}, HowMany::kSomeOfThese, "the same scans"},
 };
 
 /// Options of every scanner.

@@ -30,22 +30,22 @@ struct OiRobotOptions {
 void read_oi_options(SectionFields& fields, OiRobotOptions& options);
 
 inline constexpr DeviceText kOiProvides[] = {
-    {"position2d", {}, HowMany::kOneOrNone, "its wheels and odometry"},
-    {"power", {}, HowMany::kOneOrNone, "its battery"},
-    {"bumper", {}, HowMany::kOneOrNone, "left and right"},
+    {"position2d", {}, HowMany::kSomeOfThese, "its wheels and odometry"},
+    {"power", {}, HowMany::kSomeOfThese, "its battery"},
+    {"bumper", {}, HowMany::kSomeOfThese, "left and right"},
     {"ir",
      {},
-     HowMany::kOneOrNone,
+     HowMany::kSomeOfThese,
      "1 or 0 as ranges: wall, cliffs from left to right, virtual wall; dirt right and left; drops of caster, "
      "left and "
      "right wheel"},
     {"opaque",
      {},
-     HowMany::kOneOrNone,
+     HowMany::kSomeOfThese,
      "buttons max, clean, spot, power, and the remote control's byte; takes 0 N: play song N, 1 N LENGTH "
      "NOTES: set it, "
      "2 and seven bytes: LEDs, 3 N: demo N"},
-    {"gripper", {}, HowMany::kOneOrNone, "brushes and vacuum, which run when it is opened"},
+    {"gripper", {}, HowMany::kSomeOfThese, "brushes and vacuum, which run when it is opened"},
 };
 
 class OiRobot final : public HardwareDriver {

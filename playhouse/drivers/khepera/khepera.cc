@@ -23,10 +23,10 @@ constexpr std::int64_t kMostPulses = 5000;  // from one reading to the next; mor
 constexpr std::string_view kAskedInTurn = "HEN";
 
 constexpr DeviceText kKheperaProvides[] = {
-    {"position2d", {}, HowMany::kOneOrNone, "its wheels and odometry"},
+    {"position2d", {}, HowMany::kSomeOfThese, "its wheels and odometry"},
     {"ir",
      {},
-     HowMany::kOneOrNone,
+     HowMany::kSomeOfThese,
      "its eight sensors, clockwise from the left; as voltages what they measure, 0 to 1023"},
 };
 

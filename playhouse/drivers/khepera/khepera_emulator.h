@@ -31,6 +31,7 @@ class KheperaEmulator final : public Emulator {
   KheperaEmulator(std::string name, Site& site, const KheperaEmulatorOptions& options, UsedDevices used);
 
  private:
+  void reset() override { drive(0, 0); }
   struct WheelPair {
     double left = 0, right = 0;
   };

@@ -84,7 +84,6 @@ GridMap BeamMap::map() const {
 
 GridMapper::GridMapper(Shell& shell, const GridMapOptions& options, ScanInterface scans)
     : options_(options),
-      shell_(shell),
       states_(shell.client().queue(kOdometry, kStatesKept)),
       scans_(shell.client(), kScans, scans),
       beams_(options) {

@@ -67,7 +67,6 @@ class GridMapper final : public Algorithm {
   void add(const RangeScan& scan, const geom::Pose& X_WR);
 
   const GridMapOptions options_;
-  Shell& shell_;
   device::Subscription& states_;
   ScanReader scans_;
 

@@ -35,14 +35,14 @@ constexpr double kFullBattery = 12;   // V
 constexpr double kAxleOffset = -0.1;  // m, of the middle of the base behind the axle
 
 constexpr DeviceText kP2osProvides[] = {
-    {"position2d", "odometry", HowMany::kOneOrNone, "its wheels and odometry"},
-    {"position2d", "compass", HowMany::kOneOrNone, "its heading by the compass"},
-    {"power", {}, HowMany::kOneOrNone, "its battery"},
-    {"sonar", {}, HowMany::kOneOrNone},
-    {"bumper", {}, HowMany::kOneOrNone, "those in front from left to right, then those behind"},
-    {"gripper", {}, HowMany::kOneOrNone},
-    {"dio", {}, HowMany::kOneOrNone, "its eight digital inputs and outputs"},
-    {"aio", {}, HowMany::kOneOrNone, "its analog input"},
+    {"position2d", "odometry", HowMany::kSomeOfThese, "its wheels and odometry"},
+    {"position2d", "compass", HowMany::kSomeOfThese, "its heading by the compass"},
+    {"power", {}, HowMany::kSomeOfThese, "its battery"},
+    {"sonar", {}, HowMany::kSomeOfThese},
+    {"bumper", {}, HowMany::kSomeOfThese, "those in front from left to right, then those behind"},
+    {"gripper", {}, HowMany::kSomeOfThese},
+    {"dio", {}, HowMany::kSomeOfThese, "its eight digital inputs and outputs"},
+    {"aio", {}, HowMany::kSomeOfThese, "its analog input"},
 };
 
 int whole(double value) {

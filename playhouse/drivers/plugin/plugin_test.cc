@@ -192,7 +192,7 @@ TEST_P(PluginTest, refuses_what_it_cannot_be) {
 }
 
 TEST_P(PluginTest, comes_from_what_the_file_names_outside_its_sections) {
-  const auto built = [this](const std::string& plugins, const std::string& name) {
+  const auto built = [](const std::string& plugins, const std::string& name) {
     MemorySite site("", false);
     const std::string why =
         site.build(plugins + "driver ( name \"" + name + "\" provides [\"aio:0\" \"opaque:0\"]" +

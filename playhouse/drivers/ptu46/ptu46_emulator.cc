@@ -215,7 +215,7 @@ bool Ptu46Emulator::obey_unit(const ptu::PtuCommand& command) {
     return move(), done(), true;
   }
   if (letters == "R" || letters == "RP" || letters == "RT") {
-    reset(letters != "RT", letters != "RP");
+    reset_axes(letters != "RT", letters != "RP");
     const std::string tilted = letters == "RP" ? "" : "!T!T", panned = letters == "RT" ? "" : "!P!P";
     return wait_until_there(tilted + panned + "*\r\n"), true;
   }
@@ -329,7 +329,7 @@ bool Ptu46Emulator::obey_binary_switch(std::uint8_t opcode) {
     case 175:
       return set(is_slaved_, true);
     case 176:
-      reset(true, true);
+      reset_axes(true, true);
       waits_binary_ = true;
       return wait_until_there("*"), true;
     case 180:
@@ -400,7 +400,7 @@ void Ptu46Emulator::halt(EmulatedAxis& axis) {
   if (has_speeds_) axis.speed = 0;
 }
 
-void Ptu46Emulator::reset(bool pan, bool tilt) {
+void Ptu46Emulator::reset_axes(bool pan, bool tilt) {
   if (has_speeds_) set_velocity_mode(false);
   if (pan) pan_.target = 0;
   if (tilt) tilt_.target = 0;

@@ -67,7 +67,7 @@ class Ptu46Emulator final : public Emulator {
   void set_velocity_mode(bool on);
   void move();
   void halt(EmulatedAxis& axis);
-  void reset(bool pan, bool tilt);
+  void reset_axes(bool pan, bool tilt);
   void restore();
   void wait_until_there(const std::string& reply);
   void watch();

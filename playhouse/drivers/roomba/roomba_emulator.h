@@ -36,6 +36,7 @@ class RoombaEmulator final : public Emulator {
   RoombaEmulator(std::string name, Site& site, const RoombaEmulatorOptions& options, UsedDevices used);
 
  private:
+  void reset() override { drive({}); }
   enum class OiMode : std::uint8_t { kOff, kPassive, kSafe, kFull };  // as packet 35 tells them
 
   void line_received(std::span<const std::byte> bytes) override;

@@ -81,7 +81,7 @@ void RplidarEmulator::take(const rplidar::LidarRequest& request) {
     case rplidar::kExpressScan:
       return scan(LidarScan::kExpress);
     case rplidar::kReset:
-      return reset();
+      return restart();
     case rplidar::kGetInfo:
       return tell_info();
     case rplidar::kGetHealth:
@@ -100,7 +100,7 @@ void RplidarEmulator::take(const rplidar::LidarRequest& request) {
   }
 }
 
-void RplidarEmulator::reset() {
+void RplidarEmulator::restart() {
   samples_ = after(kBootTime, [this] {
     RawBytes banner;
     put_text(banner, "RP LIDAR System.\r\n");

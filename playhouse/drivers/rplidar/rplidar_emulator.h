@@ -36,7 +36,7 @@ class RplidarEmulator final : public Emulator {
   void tell_rate();
   void tell_configuration(std::span<const std::byte> parameters);
   void tell_mode(std::uint32_t what, std::uint16_t mode);
-  void reset();
+  void restart();
   void scan(LidarScan kind);
   void measure();
   void send_nodes(const wire::laser::Data& seen);

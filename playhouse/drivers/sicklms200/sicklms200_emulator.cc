@@ -108,7 +108,7 @@ void SickLms200Emulator::take(std::span<const std::byte> telegram) {
         return answer(sick::encode_scan(scan(1, variant_.values())));
       break;
     case sick::kReset:
-      return reset();
+      return restart();
     default:
       break;
   }
@@ -157,7 +157,7 @@ void SickLms200Emulator::change_baud(int baud) {
   speak(serial);
 }
 
-void SickLms200Emulator::reset() {
+void SickLms200Emulator::restart() {
   RawBytes told;
   put_u8(told, sick::kResets);
   answer(told);

@@ -33,7 +33,7 @@ class SickLms200Emulator final : public Emulator {
   void take_mode(std::span<const std::byte> telegram);
   void set_mode(std::uint8_t mode, std::span<const std::byte> parameters);
   void change_baud(int baud);
-  void reset();
+  void restart();
   void set_variant(std::span<const std::byte> telegram);
   void set_block(std::span<const std::byte> telegram);
   void answer(std::span<const std::byte> telegram);
