@@ -116,15 +116,12 @@ std::string image_of_two_pixels() {
 
 /// Options that have no default, or one in words, with a value.
 std::string value_of(const std::vector<Option>& all, const Option& option) {
-  static const std::map<std::string, std::string> kValues = {{"port", "\"/dev/robot\""},
-                                                             {"worldfile", "\"some.world\""},
-                                                             {"model", "\"r0\""},
-                                                             {"token", "\"guest\""},
-                                                             {"resolution", "0.5"},
-                                                             {"remote_host", "\"attic\""},
-                                                             {"remote_port", "7000"},
-                                                             {"origin", "[1 2 3]"},
-                                                             {"filename", '"' + image_of_two_pixels() + '"'}};
+  static const std::map<std::string, std::string> kValues = {
+      {"port", "\"/dev/robot\""},      {"connect_rate", "[9600 38400]"},
+      {"worldfile", "\"some.world\""}, {"model", "\"r0\""},
+      {"token", "\"guest\""},          {"resolution", "0.5"},
+      {"remote_host", "\"attic\""},    {"remote_port", "7000"},
+      {"origin", "[1 2 3]"},           {"filename", '"' + image_of_two_pixels() + '"'}};
   if (!option.otherwise.empty()) return option.otherwise;
   const bool is_word = option.type == "string" && option.told != "required" && option.told != "none" &&
                        option.told.find(' ') == std::string::npos && !option.told.empty();

@@ -158,7 +158,7 @@ class Bench final : public Host, public device::Outlet, public device::Publisher
     PLAYHOUSE_ASSERT(file.ok());
     const auto core = core_drivers();
     far_end_.open(network_.open_terminal("/dev/joined", {}), host_);
-    auto made = Registry({core.begin(), core.end()}, nullptr).make(*file, site_);
+    auto made = Registry({core.begin(), core.end()}, {}).make(*file, site_);
     PLAYHOUSE_ASSERT(made.ok());
     drivers_ = std::move(*made);
     network_.run();

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     return 0;
   }
   std::set<std::string> tokens;
-  for (const server::Guest& guest : *guests) {
+  for (const playhouse::server::Guest& guest : *guests) {
     if (guest.token.find_first_of("#?/ \n\r\t") != std::string::npos || guest.name.size() > 24) std::abort();
     if (!tokens.insert(guest.token).second) std::abort();
   }

@@ -19,7 +19,7 @@ constexpr double kNmeaSilence = 10;  // s without a sentence
 constexpr double kDegreeUnit = 1e-7;
 constexpr int kNmeaBauds[] = {4800, 9600, 19200, 38400, 57600, 115200, 230400};
 
-constexpr DeviceText kGarminNmeaProvides[] = {{"gps", {}, HowMany::kOneOrNone}};
+constexpr DeviceText kGarminNmeaProvides[] = {{"gps"}};
 
 HardwareOptions garminnmea_options(SectionFields& fields) {
   const int baud =

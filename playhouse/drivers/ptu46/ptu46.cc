@@ -15,7 +15,7 @@ constexpr double kWakeSeconds = 0.1, kSetUpSeconds = 0.2;  // s until what the u
 constexpr double kPtuPatience = 1, kResetPatience = 30;    // s for a reply
 constexpr int kMostLostReplies = 3;
 
-constexpr DeviceText kPtu46Provides[] = {{"ptz", {}, HowMany::kOneOrNone}};
+constexpr DeviceText kPtu46Provides[] = {{"ptz"}};
 
 HardwareOptions ptu46_options(SectionFields& fields) {
   const int baud = fields.integer({"baud", "Of the unit, as it is set.", "baud"}, 9600, 600, 115200);

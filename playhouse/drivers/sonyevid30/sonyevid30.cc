@@ -18,7 +18,7 @@ constexpr double kViscaCycle = 0.1;     // s between two questions for the direc
 constexpr double kViscaPatience = 0.5;  // s for an answer
 constexpr int kMostLost = 6;            // answers in a row
 
-constexpr DeviceText kSonyEvid30Provides[] = {{"ptz", {}, HowMany::kOneOrNone}};
+constexpr DeviceText kSonyEvid30Provides[] = {{"ptz"}};
 
 SonyEvid30Options sonyevid30_options(SectionFields& fields) {
   SonyEvid30Options options;
