@@ -377,7 +377,7 @@ driver( name "nd" requires ["position2d:0" "laser:7"] provides ["position2d:7"] 
       ElementsAre(
           AllOf(StartsWith("test.cfg:5: driver \"laserptzcloud\" is left out: this program has no such "
                            "driver; it has amcl, "),
-                EndsWith(", statgrabdriver, suppressor, urglaser, vfh, wavefront")),
+                EndsWith(", suppressor, urglaser, urglaser_emulator, vfh, wavefront")),
           "test.cfg:6: driver \"writelog\" is left out: this program has no such driver; the option --record "
           "records a run",
           "test.cfg:4: driver \"rangertolaser\" is left out: it requires \"ranger:7\", which test.cfg:5 "

@@ -31,7 +31,7 @@ namespace playhouse::drivers {
 
 /// Where others find it.
 struct EmulatorPlace {
-  std::string link;            // of a pseudo-terminal; empty: TCP
+  std::string link = {};       // of a pseudo-terminal; empty: TCP
   std::uint16_t tcp_port = 0;  // of this machine
   net::SerialSettings serial;  // of the hardware
   bool at_any_speed = false;   // as by USB, where a speed means nothing

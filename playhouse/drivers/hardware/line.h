@@ -16,7 +16,7 @@ namespace playhouse::drivers {
 
 /// Where the hardware is.
 struct LinePlace {
-  std::string path;            // of a serial port; empty: TCP
+  std::string path = {};       // of a serial port; empty: TCP
   std::string host = {};       // of TCP
   std::uint16_t tcp_port = 0;  //
   net::SerialSettings serial = {};

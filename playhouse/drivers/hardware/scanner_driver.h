@@ -25,8 +25,8 @@ inline constexpr DeviceText kScannerProvides[] = {
 /// Options of every scanner.
 struct ScannerOptions {
   HardwareOptions hardware;
-  geom::Pose X_RS;  // on the robot
-  geom::Size size;
+  geom::Pose X_RS = {};  // on the robot
+  geom::Size size = {};
   bool is_upside_down = false;
 };
 
