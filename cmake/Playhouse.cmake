@@ -211,7 +211,7 @@ endfunction()
 # rapidcheck is there for this machine alone, and the small program has no simulator, pages, plug-ins and JSON.
 function(playhouse_core_tests)
   foreach(FILE ${ARGN})
-    file(STRINGS ${FILE} OTHERS REGEX "to_json|wire/json[.]h|#include.*(rapidcheck|playhouse/(bridge|images|run|scene|world)/|/(isolated|plugin|tls)/|websocket|http|simulated_page|drivers/testing/|testing_tiles)")
+    file(STRINGS ${FILE} OTHERS REGEX "to_json|wire/json[.]h|#include.*(rapidcheck|playhouse/(bridge|images|run|scene|world)/|/(isolated|plugin|tls)/|websocket|http|simulated_page|drivers/testing/|testing_tiles|testing_hardware)")
     if(NOT OTHERS)
       set_property(GLOBAL APPEND PROPERTY PLAYHOUSE_CORE_TESTS ${FILE})
     endif()
