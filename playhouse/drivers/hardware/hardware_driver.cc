@@ -103,6 +103,9 @@ void HardwareDriver::stop(device::DeviceId device) {
 
 void HardwareDriver::finish() {
   close_line();
+  std::set<std::shared_ptr<device::Replier>> asked;
+  const std::lock_guard lock(mutex_);
+  asked.swap(asked_);
 }
 
 void HardwareDriver::close_line() {
@@ -144,17 +147,33 @@ device::Taken HardwareDriver::command(const device::Message& message) {
 void HardwareDriver::request(const device::Message& message, device::Replier replier) {
   const auto found = requests_.find({number_of(message.device), message.subtype});
   if (found == requests_.end()) return;
-  // A std::function must be copyable.
-  const auto shared = std::make_shared<device::Replier>(std::move(replier));
-  site_.surroundings().post([this, alive = std::weak_ptr<int>(alive_), shared, answer = &found->second,
+  site_.surroundings().post([this, alive = std::weak_ptr<int>(alive_), kept = keep(std::move(replier)),
+                             answer = &found->second,
                              body = CommandBody(message.body.begin(), message.body.end())] {
     if (alive.expired()) return;
-    const auto ask = [shared, answer, body] {
-      if (AnswerBody answered = (*answer)(body)) shared->ack(std::move(*answered));
+    const auto ask = [replier = take(kept), answer, body] {
+      if (replier == nullptr) return;
+      if (AnswerBody answered = (*answer)(body)) replier->ack(std::move(*answered));
     };
     if (is_ready_ || open_ == 0) return ask();
     if (waiting_requests_.size() < limits::kSessionAnswers) waiting_requests_.push_back(ask);
   });
+}
+
+/// Until it is posted: what is posted may never run, and is destroyed after the server then.
+std::weak_ptr<device::Replier> HardwareDriver::keep(device::Replier replier) {
+  const auto shared = std::make_shared<device::Replier>(std::move(replier));
+  const std::lock_guard lock(mutex_);
+  asked_.insert(shared);
+  return shared;
+}
+
+/// Null after finish().
+std::shared_ptr<device::Replier> HardwareDriver::take(const std::weak_ptr<device::Replier>& kept) {
+  const std::shared_ptr<device::Replier> shared = kept.lock();
+  const std::lock_guard lock(mutex_);
+  asked_.erase(shared);
+  return shared;
 }
 
 bool HardwareDriver::capable(device::DeviceId device, std::uint8_t type, std::uint8_t subtype) const {
@@ -164,8 +183,10 @@ bool HardwareDriver::capable(device::DeviceId device, std::uint8_t type, std::ui
 }
 
 void HardwareDriver::barrier(device::Replier replier) {
-  const auto shared = std::make_shared<device::Replier>(std::move(replier));
-  site_.surroundings().post([shared] { shared->ack(); });
+  site_.surroundings().post([this, alive = std::weak_ptr<int>(alive_), kept = keep(std::move(replier))] {
+    if (alive.expired()) return;
+    if (const auto taken = take(kept)) taken->ack();
+  });
 }
 
 void HardwareDriver::publish_body(std::size_t device, std::uint8_t subtype, CommandBody body) {

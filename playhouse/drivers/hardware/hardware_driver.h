@@ -10,7 +10,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -143,6 +145,8 @@ class HardwareDriver : public device::Driver, private LineEvents {
   void forget_start();
   void retire_all();
   std::size_t number_of(device::DeviceId device) const;
+  std::weak_ptr<device::Replier> keep(device::Replier replier);
+  std::shared_ptr<device::Replier> take(const std::weak_ptr<device::Replier>& kept);
   void publish_body(std::size_t device, std::uint8_t subtype, CommandBody body);
 
   const std::string name_;
@@ -152,6 +156,9 @@ class HardwareDriver : public device::Driver, private LineEvents {
   // Not changed after the constructor.
   std::map<DeviceKey, std::function<void(const CommandBody&)>> commands_;
   std::map<DeviceKey, std::function<AnswerBody(const CommandBody&)>> requests_;
+
+  std::mutex mutex_;                                  // guards asked_
+  std::set<std::shared_ptr<device::Replier>> asked_;  // not carried out yet
 
   int open_ = 0;
   bool is_ready_ = false;  // for commands and requests
