@@ -87,9 +87,11 @@ class Emulator : public device::Driver, private net::SerialEvents, private net::
 
   /// True if the section names it.
   bool uses(std::size_t device) const { return numbers_[device].has_value(); }
+  /// False: the device cannot be commanded yet.
   template <typename T>
-  void command_device(std::size_t device, std::uint8_t subtype, const T& value) {
-    if (uses(device)) static_cast<void>(client_.command(*numbers_[device], subtype, wire::encode(value)));
+  bool command_device(std::size_t device, std::uint8_t subtype, const T& value) {
+    return uses(device) &&
+           client_.command(*numbers_[device], subtype, wire::encode(value)) != device::Taken::kNo;
   }
   void bare_command(std::size_t device, std::uint8_t subtype) {
     if (uses(device)) static_cast<void>(client_.command(*numbers_[device], subtype, {}));

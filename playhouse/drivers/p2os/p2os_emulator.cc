@@ -114,6 +114,7 @@ void P2osEmulator::close() {
 }
 
 void P2osEmulator::cycle() {
+  if (!is_told_) drive(speed_, turn_rate_);  // its devices were not open yet
   send(p2os::encode_sip(sip()));
   cycle_ = after(kCycle, [this] { cycle(); });
 }
@@ -144,7 +145,8 @@ void P2osEmulator::obey(const p2os::ReadCommand& command) {
       return grip(value);
     case p2os::kDigitalOut:
       outputs_ = static_cast<std::uint8_t>((outputs_ & ~command.high) | (command.low & command.high));
-      return command_device(kDio, wire::dio::kCmdValues, wire::dio::Cmd{8, outputs_});
+      command_device(kDio, wire::dio::kCmdValues, wire::dio::Cmd{8, outputs_});
+      return;
     default:  // as the robot does with what it does not know
       return;
   }
@@ -158,7 +160,7 @@ void P2osEmulator::drive_wheels(std::int8_t right, std::int8_t left) {
 void P2osEmulator::drive(double speed, double turn_rate) {
   speed_ = motors_on_ ? speed : 0;
   turn_rate_ = motors_on_ ? turn_rate : 0;
-  command_device(kWheels, p2d::kCmdVel, p2d::CmdVel{{speed_, 0, turn_rate_}, motors_on_});
+  is_told_ = command_device(kWheels, p2d::kCmdVel, p2d::CmdVel{{speed_, 0, turn_rate_}, motors_on_});
 }
 
 void P2osEmulator::set_origin() {

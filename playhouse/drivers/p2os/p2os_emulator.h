@@ -64,6 +64,7 @@ class P2osEmulator final : public Emulator {
   bool motors_on_ = false, sonars_on_ = false;
   std::uint8_t outputs_ = 0;          // digital
   double speed_ = 0, turn_rate_ = 0;  // m/s, rad/s: wanted
+  bool is_told_ = true;               // the wheels of what is wanted
   geom::Pose X_OS_;                   // where the robot was at SETO, in its odometry
   std::size_t next_sonar_ = 0;
   std::unique_ptr<net::Timer> cycle_, watchdog_;
