@@ -82,10 +82,11 @@ test('a person drives the robot of the other server, which stops when driving en
   assert.notEqual(await value('position2d:0', 'pos.pa'), heading);
 });
 
-test('an observer is offered no stick, and told why', async () => {
+test('an observer is offered no stick, and told why', async (t) => {
   const guests = join(mkdtempSync(join(tmpdir(), 'devices-')), 'guests.txt');
   writeFileSync(guests, 'admin the-admin-1 Ada\nobserver watcher-001\n');
   const guarded = await serve(relayOf(robot.port), ['--port', '0', '--guests', guests]);
+  t.after(() => guarded.stop()); // also after a failure: who waits for it would wait for ever
   const observer = await openPage(browser, {});
   await observer.goto(`${guarded.page}#watcher-001`);
   await observer.locator('#list [data-device="position2d:0"]').click();
@@ -96,7 +97,6 @@ test('an observer is offered no stick, and told why', async () => {
   await observer.locator('#list [data-device="position2d:0"]').click();
   await observer.getByTestId('drive').waitFor();
   await observer.close();
-  await guarded.stop();
 });
 
 test('the server says who is connected, and this page is one of them', async () => {
