@@ -97,6 +97,23 @@ std::optional<ScanChoice> choose(const ScanSource& source, ScanSettings& wanted)
   return choice;
 }
 
+wire::laser::Config laser_config(const ScanSettings& settings) {
+  wire::laser::Config config;
+  config.min_angle = static_cast<float>(settings.min_angle);
+  config.max_angle = static_cast<float>(settings.max_angle);
+  config.resolution = static_cast<float>(settings.resolution);
+  config.max_range = static_cast<float>(settings.max_range);
+  config.range_res = static_cast<float>(settings.range_res);
+  config.intensity = settings.intensity ? 1 : 0;
+  config.scanning_frequency = static_cast<float>(settings.frequency);
+  return config;
+}
+
+wire::ranger::Config ranger_config(const ScanSettings& settings) {
+  return {settings.min_angle, settings.max_angle, settings.resolution, settings.min_range,
+          settings.max_range, settings.range_res, settings.frequency};
+}
+
 double laser_resolution(float resolution) {
   constexpr double kHundredth = std::numbers::pi / 18000;  // rad, of a degree
   const auto wanted = static_cast<double>(resolution);

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "playhouse/wire/generated/laser.h"
+#include "playhouse/wire/generated/ranger.h"
+
 namespace playhouse::drivers {
 
 struct ScanSettings {
@@ -42,6 +45,10 @@ bool is_same(double a, double b);
 /// and scans no rarer than wanted. None if a value is not finite, or beyond what the source measures: a
 /// wider field of view, finer or more frequent scans, a longer range, a shorter minimum range.
 std::optional<ScanChoice> choose(const ScanSource& source, ScanSettings& wanted);
+
+/// What a laser and a ranger tell of settings.
+wire::laser::Config laser_config(const ScanSettings& settings);
+wire::ranger::Config ranger_config(const ScanSettings& settings);
 
 /// The resolution of a request to a laser.  [rad] Older programs, and the test program of libplayerc++, send hundredths
 /// of a degree, which are more than a full turn if they are read as radians.

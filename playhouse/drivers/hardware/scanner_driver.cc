@@ -23,23 +23,6 @@ bool asks_in_millimetres(const lsr::Config& asked) {
   return asked.range_res >= 1;
 }
 
-lsr::Config configuration_of_laser(const ScanSettings& settings) {
-  lsr::Config config;
-  config.min_angle = static_cast<float>(settings.min_angle);
-  config.max_angle = static_cast<float>(settings.max_angle);
-  config.resolution = static_cast<float>(settings.resolution);
-  config.max_range = static_cast<float>(settings.max_range);
-  config.range_res = static_cast<float>(settings.range_res);
-  config.intensity = settings.intensity ? 1 : 0;
-  config.scanning_frequency = static_cast<float>(settings.frequency);
-  return config;
-}
-
-rng::Config configuration_of_ranger(const ScanSettings& settings) {
-  return {settings.min_angle, settings.max_angle, settings.resolution, settings.min_range,
-          settings.max_range, settings.range_res, settings.frequency};
-}
-
 bool is_finite(const ScanSettings& wanted) {
   for (const double value : {wanted.min_angle, wanted.max_angle, wanted.resolution, wanted.min_range,
                              wanted.max_range, wanted.range_res, wanted.frequency})
@@ -77,7 +60,7 @@ void ScannerDriver::register_laser() {
     return wire::encode(lsr::Geom{pose3d(options_.X_RS), bbox3d(options_.size)});
   });
   on_question(kLaser, lsr::kReqGetConfig,
-              [this]() -> AnswerBody { return wire::encode(configuration_of_laser(settings())); });
+              [this]() -> AnswerBody { return wire::encode(laser_config(settings())); });
   on_request<lsr::Config>(kLaser, lsr::kReqSetConfig,
                           [this](const lsr::Config& asked) { return set_laser(asked); });
   on_request<lsr::PowerConfig>(kLaser, lsr::kReqPower, [this](const lsr::PowerConfig& asked) {
@@ -88,7 +71,7 @@ void ScannerDriver::register_laser() {
 void ScannerDriver::register_ranger() {
   on_question(kRanger, rng::kReqGetGeom, [this]() -> AnswerBody { return wire::encode(ranger_geometry()); });
   on_question(kRanger, rng::kReqGetConfig,
-              [this]() -> AnswerBody { return wire::encode(configuration_of_ranger(settings())); });
+              [this]() -> AnswerBody { return wire::encode(ranger_config(settings())); });
   on_request<rng::Config>(kRanger, rng::kReqSetConfig,
                           [this](const rng::Config& asked) { return set_ranger(asked); });
   on_request<rng::PowerConfig>(kRanger, rng::kReqPower, [this](const rng::PowerConfig& asked) {
@@ -110,7 +93,7 @@ AnswerBody ScannerDriver::set_laser(const lsr::Config& asked) {
   if (asked.scanning_frequency != 0) wanted.frequency = static_cast<double>(asked.scanning_frequency);
   wanted.intensity = asked.intensity != 0;
   if (!is_finite(wanted) || !configure(wanted)) return std::nullopt;
-  lsr::Config now = configuration_of_laser(settings());
+  lsr::Config now = laser_config(settings());
   if (asks_in_hundredths(asked))
     now.resolution = static_cast<float>(std::round(settings().resolution / kHundredthOfDegree));
   if (asks_in_millimetres(asked)) now.range_res = static_cast<float>(1000 * settings().range_res);
@@ -125,7 +108,7 @@ AnswerBody ScannerDriver::set_ranger(const rng::Config& asked) {
   if (asked.range_res != 0) wanted.range_res = asked.range_res;
   if (asked.frequency != 0) wanted.frequency = asked.frequency;
   if (!is_finite(wanted) || !configure(wanted)) return std::nullopt;
-  return wire::encode(configuration_of_ranger(settings()));
+  return wire::encode(ranger_config(settings()));
 }
 
 AnswerBody ScannerDriver::set_switch(bool ScanSettings::*which, bool on) {
@@ -161,7 +144,7 @@ void ScannerDriver::publish_ranger(const LineScan& scan) {
   const rng::DataIntns intensities{{scan.intensities.begin(), scan.intensities.end()}};
   if (std::exchange(is_new_, false))
     publish(kRanger, rng::kDataRangestamped,
-            rng::DataRangestamped{ranges, 1, ranger_geometry(), 1, configuration_of_ranger(settings())});
+            rng::DataRangestamped{ranges, 1, ranger_geometry(), 1, ranger_config(settings())});
   publish(kRanger, rng::kDataRange, ranges);
   if (!scan.intensities.empty()) publish(kRanger, rng::kDataIntns, intensities);
 }

@@ -19,16 +19,9 @@ namespace lsr = wire::laser;
 
 namespace {
 
-lsr::Config laser_config(const rng::Config& config) {
-  lsr::Config laser;
-  laser.min_angle = static_cast<float>(config.min_angle);
-  laser.max_angle = static_cast<float>(config.max_angle);
-  laser.resolution = static_cast<float>(config.angular_res);
-  laser.max_range = static_cast<float>(config.max_range);
-  laser.range_res = static_cast<float>(config.range_res);
-  laser.intensity = 1;
-  laser.scanning_frequency = static_cast<float>(config.frequency);
-  return laser;
+lsr::Config laser_config_of(const rng::Config& config) {
+  return laser_config({config.min_angle, config.max_angle, config.angular_res, config.min_range,
+                       config.max_range, config.range_res, config.frequency});
 }
 
 /// The scanner is the ranger's first element.
@@ -66,7 +59,7 @@ RangerToLaser::RangerToLaser(Shell& shell)
       intensities_(shell.client().latest(kRanger, rng::kDataIntns)),
       configured_(shell.client().latest(kRanger, rng::kDataRangestamped)) {
   convert_answers<rng::Geom>(shell, kRanger, lsr::kReqGetGeom, rng::kReqGetGeom, laser_geom);
-  convert_answers<rng::Config>(shell, kRanger, lsr::kReqGetConfig, rng::kReqGetConfig, laser_config);
+  convert_answers<rng::Config>(shell, kRanger, lsr::kReqGetConfig, rng::kReqGetConfig, laser_config_of);
   shell.on_request(lsr::kReqSetConfig, [this](const device::Message& message, device::Replier replier) {
     set_configuration(message, std::move(replier));
   });
@@ -95,7 +88,7 @@ void RangerToLaser::set_configuration(const device::Message& message, device::Re
     if (laser.scanning_frequency != 0) wanted.frequency = static_cast<double>(laser.scanning_frequency);
   };
   change_configuration<rng::Config>(shell_, kRanger, rng::kReqGetConfig, rng::kReqSetConfig,
-                                    std::move(replier), change, laser_config);
+                                    std::move(replier), change, laser_config_of);
 }
 
 void RangerToLaser::opened() {

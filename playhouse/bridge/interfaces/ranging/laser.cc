@@ -98,8 +98,8 @@ void Laser::request(const device::Message& message, device::Replier replier) {
     case lsr::kReqGetId:
       return replier.ack(wire::encode(lsr::GetIdConfig{model().value}));
     case lsr::kReqGetConfig:
-      return tell_settings(std::move(replier), [this](const LaserSettings& settings) {
-        return wire::encode(configuration(settings));
+      return tell_settings(std::move(replier), [](const LaserSettings& settings) {
+        return wire::encode(laser_config(settings));
       });
     case lsr::kReqSetConfig:
       if (const auto value = wire::decode<lsr::Config>(message.body))
@@ -132,7 +132,7 @@ void Laser::set_configuration(const lsr::Config& config, device::Replier replier
     return true;
   };
   change_settings(std::move(replier), edit,
-                  [this](const LaserSettings& settings) { return wire::encode(configuration(settings)); });
+                  [](const LaserSettings& settings) { return wire::encode(laser_config(settings)); });
 }
 
 void Laser::set_filter(const lsr::SetFilterConfig& filter, device::Replier replier) {
@@ -159,18 +159,6 @@ void Laser::set_filter(const lsr::SetFilterConfig& filter, device::Replier repli
     }
   };
   change_settings(std::move(replier), edit);
-}
-
-lsr::Config Laser::configuration(const LaserSettings& settings) const {
-  lsr::Config config;
-  config.min_angle = static_cast<float>(settings.min_angle);
-  config.max_angle = static_cast<float>(settings.max_angle);
-  config.resolution = static_cast<float>(settings.resolution);
-  config.max_range = static_cast<float>(settings.max_range);
-  config.range_res = static_cast<float>(settings.range_res);
-  config.intensity = settings.intensity;
-  config.scanning_frequency = static_cast<float>(settings.frequency);
-  return config;
 }
 
 void Laser::pick(const Beams& measured) {

@@ -36,7 +36,6 @@ class Laser final : public DeviceWithSettings<LaserSettings> {
 
   void set_configuration(const wire::laser::Config& config, device::Replier replier);
   void set_filter(const wire::laser::SetFilterConfig& filter, device::Replier replier);
-  wire::laser::Config configuration(const LaserSettings& settings) const;
   /// Fills the scan with what was chosen of the measurement.
   void pick(const Beams& measured);
   void average();

@@ -41,11 +41,6 @@ ScanSource source_of(const world::World& world, world::ModelRow model) {
   return source;
 }
 
-rng::Config configuration(const ScanSettings& settings) {
-  return {settings.min_angle, settings.max_angle, settings.resolution, settings.min_range,
-          settings.max_range, settings.range_res, settings.frequency};
-}
-
 class Ranger final : public RangerDevice {
  public:
   Ranger(run::Simulation& simulation, world::ModelRow model)
@@ -109,7 +104,7 @@ void RangerDevice::request(const device::Message& message, device::Replier repli
       return replier.ack(wire::encode(geometry_));
     case rng::kReqGetConfig:
       return tell_settings(std::move(replier), [](const ScanSettings& settings) {
-        return wire::encode(configuration(settings));
+        return wire::encode(ranger_config(settings));
       });
     case rng::kReqSetConfig:
       if (const auto value = wire::decode<rng::Config>(message.body))
@@ -141,7 +136,7 @@ void RangerDevice::set_configuration(const rng::Config& config, device::Replier 
     return true;
   };
   change_settings(std::move(replier), edit,
-                  [](const ScanSettings& settings) { return wire::encode(configuration(settings)); });
+                  [](const ScanSettings& settings) { return wire::encode(ranger_config(settings)); });
 }
 
 void RangerDevice::pick() {
@@ -169,7 +164,7 @@ void RangerDevice::emit(const world::World& world, std::vector<device::Publicati
     intensities.intensities.push_back(reading.intensity);
   }
   if (is_new_) {
-    const rng::Config config = configuration(settings());
+    const rng::Config config = ranger_config(settings());
     publish(world, rng::kDataRangestamped, rng::DataRangestamped{ranges, 1, geometry_, 1, config}, out);
     if (settings().intensity)
       publish(world, rng::kDataIntnsstamped, rng::DataIntnsstamped{intensities, 1, geometry_, 1, config},
