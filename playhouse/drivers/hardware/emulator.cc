@@ -136,8 +136,7 @@ void Emulator::send(std::span<const std::byte> bytes) {
 }
 
 void Emulator::received(std::span<const std::byte> bytes) {
-  const double now = site_.surroundings().network().now();
-  if (now - std::exchange(heard_, now) > kPause) line_paused();
+  if (const double before = std::exchange(heard_, now()); heard_ - before > kPause) line_paused();
   if (speaks_as_set()) line_received(bytes);
 }
 

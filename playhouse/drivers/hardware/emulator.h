@@ -112,7 +112,8 @@ class Emulator : public device::Driver, private net::SerialEvents, private net::
 
   /// Of bytes of the host, at the right speed.
   virtual void line_received(std::span<const std::byte> bytes) = 0;
-  /// What came before is of another host, or incomplete: nothing has come for a while.
+  /// Nothing has come for so long that no frame goes on: what is not complete is to be forgotten, but for lines of letters,
+  /// which a person may type.
   virtual void line_paused() {}
   /// A host has connected by TCP, or the program ends: what it moves stops, and all is as at the beginning.
   virtual void reset() {}

@@ -74,6 +74,14 @@ void HardwareDriver::warn(const std::string& text) const {
   log::warn("driver {}: {}", in_quotes(name_), text);
 }
 
+bool HardwareDriver::set_baud(int baud) {
+  net::SerialSettings serial = options_.place.serial;
+  serial.baud = baud_ = baud;
+  const Result<void> set = line_.set(serial);
+  if (!set) give_up(set.error().text);
+  return set.ok();
+}
+
 // --- devices
 
 Result<void> HardwareDriver::start(device::DeviceId device) {
@@ -202,6 +210,7 @@ void HardwareDriver::feed_watchdog() {
 
 void HardwareDriver::line_opened() {
   is_ready_ = !starts_up();
+  baud_ = options_.place.serial.baud;
   began();
 }
 

@@ -98,6 +98,11 @@ class HardwareDriver : public device::Driver, private LineEvents {
   HardwareLine& line() { return line_; }
   Site& site() { return site_; }
   void send(std::span<const std::byte> bytes) { line_.send(bytes); }
+  /// A serial port, which has a speed; a bridge by TCP keeps its own.
+  bool is_serial() const { return !options_.place.path.empty(); }
+  /// The line has another speed from now on. False: it cannot, and the driver has given up.
+  bool set_baud(int baud);
+  int baud() const { return baud_; }
   [[nodiscard]] std::unique_ptr<net::Timer> after(double seconds, std::function<void()> task);
   /// Of the network's clock, which begins at no certain time. [s]
   double now() const { return site_.surroundings().network().now(); }
@@ -167,6 +172,7 @@ class HardwareDriver : public device::Driver, private LineEvents {
   std::string told_;  // why the line is lost, in the log
   double wait_ = 0;   // s until the next attempt
   HardwareLine line_;
+  int baud_ = 0;  // of the line, while it is open
   std::unique_ptr<net::Timer> retry_, watchdog_;
   const std::shared_ptr<int> alive_ = std::make_shared<int>(0);  // last member: what is posted ends with it
 };

@@ -81,6 +81,7 @@ class OiCommandReader {
   void add(std::span<const std::byte> bytes);
   /// The next whole command.
   std::optional<OiCommand> next();
+  void clear() { bytes_.clear(); }
 
  private:
   /// Of the command at the front: none if it is no command; more than there are bytes if it is not whole.

@@ -40,6 +40,7 @@ class RoombaEmulator final : public Emulator {
   enum class OiMode : std::uint8_t { kOff, kPassive, kSafe, kFull };  // as packet 35 tells them
 
   void line_received(std::span<const std::byte> bytes) override;
+  void line_paused() override { reader_.clear(); }
 
   void obey(const irobot::OiCommand& command);
   void obey_mode(std::uint8_t opcode);

@@ -122,12 +122,10 @@ void Rplidar::began() {
 /// At its own speed first, then at the others.
 void Rplidar::connect() {
   constexpr int kOtherBauds = static_cast<int>(std::size(kLidarBauds));
-  const bool is_serial = !options_.scanner.hardware.place.path.empty();
-  if (bauds_ > (is_serial ? kOtherBauds : 0)) return give_up("nothing answers: is the lidar on?");
+  if (bauds_ > (is_serial() ? kOtherBauds : 0)) return give_up("nothing answers: is the lidar on?");
   const int baud = bauds_ == 0 ? options_.baud : kLidarBauds[bauds_ - 1];
   ++bauds_;
-  if (const Result<void> set = line().set({.baud = baud}); !set) return give_up(set.error().text);
-  stop_scans();
+  if (set_baud(baud)) stop_scans();
 }
 
 void Rplidar::stop_scans() {

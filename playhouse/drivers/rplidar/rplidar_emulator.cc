@@ -12,9 +12,8 @@ namespace playhouse::drivers {
 namespace {
 
 constexpr double kRadOfDegree = std::numbers::pi / 180, kTurnDegrees = 360;
-constexpr double kSamplesGap = 0.1;  // s; what is begun and not gone on with is forgotten
-constexpr double kBootTime = 1;      // s
-constexpr double kFarthest = 12;     // m
+constexpr double kBootTime = 1;                             // s
+constexpr double kFarthest = 12;                            // m
 constexpr int kStandardSample = 508, kExpressSample = 254;  // us
 constexpr std::uint16_t kModes = 2, kExpressMode = 1;
 constexpr int kPlainQuality = 47;
@@ -61,8 +60,6 @@ RplidarEmulator::RplidarEmulator(std::string name, Site& site, const RplidarEmul
 void RplidarEmulator::line_received(std::span<const std::byte> bytes) {
   requests_.add(bytes);
   while (const auto request = requests_.next()) take(*request);
-  silence_.reset();
-  if (!requests_.is_empty()) silence_ = after(kSamplesGap, [this] { requests_.clear(); });
 }
 
 /// What is not known is not answered. Each request but those of the motor ends the scans.

@@ -30,6 +30,7 @@ class RplidarEmulator final : public Emulator {
   enum class LidarScan : std::uint8_t { kNone, kStandard, kExpress };
 
   void line_received(std::span<const std::byte> bytes) override;
+  void line_paused() override { requests_.clear(); }
 
   void take(const rplidar::LidarRequest& request);
   void tell_info();
@@ -51,7 +52,7 @@ class RplidarEmulator final : public Emulator {
   LidarScan kind_ = LidarScan::kNone;
   bool motor_on_ = true, is_first_ = false;
   double angle_ = 0;  // deg, of the next sample
-  std::unique_ptr<net::Timer> samples_, silence_;
+  std::unique_ptr<net::Timer> samples_;
 
   Latest<wire::laser::Data> beams_{*this, 0, wire::laser::kDataScan};
 };

@@ -64,7 +64,6 @@ class LidarRequests {
  public:
   void add(std::span<const std::byte> bytes);
   std::optional<LidarRequest> next();
-  bool is_empty() const { return bytes_.empty(); }
   void clear() { bytes_.clear(); }
 
  private:

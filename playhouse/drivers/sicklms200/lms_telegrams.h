@@ -76,7 +76,6 @@ class LmsReader {
   /// The next one, from its code on, without the status.
   std::optional<RawBytes> next();
   void clear() { bytes_.clear(); }
-  bool is_empty() const { return bytes_.empty(); }
   /// Telegrams with a wrong CRC.
   std::size_t damaged() const { return damaged_; }
 

@@ -149,7 +149,7 @@ void SickLms200::say_again() {
   reader_.clear();
   line().drop_input();
   spacing_.reset();
-  if (baud_ != kSlowBaud) return send(telegram_);
+  if (baud() != kSlowBaud) return send(telegram_);
   sent_ = 0;
   send_next_byte();
 }
@@ -178,29 +178,19 @@ void SickLms200::connect() {
   stop_scans();
 }
 
-bool SickLms200::set_baud(int baud) {
-  baud_ = baud;
-  net::SerialSettings serial = options_.scanner.hardware.place.serial;
-  serial.baud = baud;
-  const Result<void> set = line().set(serial);
-  if (set) return true;
-  give_up(set.error().text);
-  return false;
-}
-
 void SickLms200::stop_scans() {
   if (set_baud(speeds_[speed_])) say(LmsPhase::kStops, sick::ask(sick::kSetMode, sick::kOnRequest));
 }
 
 void SickLms200::listen_at_next_speed() {
-  if (has_speed() && ++speed_ < speeds_.size()) return stop_scans();
+  if (is_serial() && ++speed_ < speeds_.size()) return stop_scans();
   if (++retries_ > options_.retries) return give_up("nothing answers: is the laser on?");
   connect();
 }
 
 /// A bridge to the laser keeps its speed.
 void SickLms200::change_speed() {
-  if (!has_speed() || baud_ == options_.transfer_rate) return introduce();
+  if (!is_serial() || baud() == options_.transfer_rate) return introduce();
   say(LmsPhase::kChangesSpeed, sick::ask(sick::kSetMode, *sick::mode_of_baud(options_.transfer_rate)));
 }
 
@@ -232,8 +222,8 @@ void SickLms200::run() {
   phase_ = LmsPhase::kRuns;
   if (is_changed_) return options_.is_pls ? start_scans() : log_in();
   speeds_ = options_.connect_rates;
-  std::erase(speeds_, baud_);
-  speeds_.insert(speeds_.begin(), baud_);
+  std::erase(speeds_, baud());
+  speeds_.insert(speeds_.begin(), baud());
   expect_scan();
 }
 

@@ -85,8 +85,6 @@ class SickLms200 final : public ScannerDriver {
   void take_block(std::span<const std::byte> telegram);
   void take_scan(std::span<const std::byte> telegram);
 
-  bool has_speed() const { return !options_.scanner.hardware.place.path.empty(); }
-  bool set_baud(int baud);
   void settle(const sick::LmsVariant& variant, std::uint8_t unit, int first, int last);
   bool is_whole() const { return first_ == 1 && last_ == variant_.values(); }
 
@@ -102,7 +100,6 @@ class SickLms200 final : public ScannerDriver {
   bool is_changed_ = false;  // since it was told
   std::vector<int> speeds_;  // in the order in which they are tried
   std::size_t speed_ = 0;
-  int baud_ = 0;
   int tries_ = 0, retries_ = 0;
   std::string type_;
   RawBytes telegram_;     // of this step

@@ -14,7 +14,6 @@ constexpr double kHundredthOfLms = std::numbers::pi / 18000;  // rad
 constexpr int kDeliveredBaud = 9600;
 constexpr std::size_t kBlockBytes = 33;
 constexpr std::uint8_t kModeFault = 2, kWrongPassword = 1;
-constexpr double kByteGap = 0.1;  // s; what is begun and not gone on with is forgotten
 constexpr double kResetTime = 2;  // s; of the real one, up to a minute
 constexpr std::string_view kUsualType = "LMS200;30106;V02.10 ";
 
@@ -63,8 +62,6 @@ void SickLms200Emulator::line_received(std::span<const std::byte> bytes) {
   while (const std::optional<RawBytes> telegram = reader_.next()) take(*telegram);
   if (std::exchange(damaged_, reader_.damaged()) != reader_.damaged())
     send(std::span(&sick::kNotTakenByte, 1));
-  silence_.reset();
-  if (!reader_.is_empty()) silence_ = after(kByteGap, [this] { reader_.clear(); });
 }
 
 // --- answers

@@ -28,6 +28,7 @@ class SickLms200Emulator final : public Emulator {
 
  private:
   void line_received(std::span<const std::byte> bytes) override;
+  void line_paused() override { reader_.clear(); }
 
   void take(std::span<const std::byte> telegram);
   void take_mode(std::span<const std::byte> telegram);
@@ -52,7 +53,7 @@ class SickLms200Emulator final : public Emulator {
   int first_ = 1, last_ = 1;  // of a stream of parts
   RawBytes block_;            // its configuration
   std::uint8_t index_ = 0;    // of scans
-  std::unique_ptr<net::Timer> turn_, silence_;
+  std::unique_ptr<net::Timer> turn_;
 
   Latest<wire::laser::Data> beams_{*this, 0, wire::laser::kDataScan};
 };

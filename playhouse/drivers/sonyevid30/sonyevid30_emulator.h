@@ -38,6 +38,7 @@ class SonyEvid30Emulator final : public Emulator {
   enum class Doing : std::uint8_t { kNothing, kMoves, kZooms };
 
   void line_received(std::span<const std::byte> bytes) override;
+  void line_paused() override { reader_.clear(); }
 
   void take(std::span<const std::byte> frame);
   void take_from_all(std::span<const std::byte> content);

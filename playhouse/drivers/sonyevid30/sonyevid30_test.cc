@@ -278,6 +278,11 @@ TEST_F(SonyHost, questions_are_answered_as_the_maker_says) {
   EXPECT_EQ(ask("81 09 06 12 ff"), "90 50 0f 0e 0f 08 0f 0f 09 04 ff");
 }
 
+TEST_F(SonyHost, half_a_command_is_forgotten_after_a_pause) {
+  EXPECT_EQ(ask("81 01 06 02", 1), "");
+  EXPECT_EQ(ask("81 01 00 01 ff"), "90 50 ff");
+}
+
 TEST_F(SonyHost, a_move_is_completed_when_it_is_there) {
   EXPECT_EQ(ask("81 01 06 02 18 14 0f 0e 0f 08 00 00 00 00 ff"), "90 41 ff");
   publish(ptz::kCode, ptz::kDataState, ptz::Data{.pan = 0.2F});

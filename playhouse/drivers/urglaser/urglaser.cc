@@ -131,22 +131,12 @@ void Urglaser::stop_scans() {
 }
 
 void Urglaser::listen_at_next_speed() {
-  if (!has_speed() || ++speed_ == speeds_.size()) return give_up("nothing answers: is the scanner on?");
+  if (!is_serial() || ++speed_ == speeds_.size()) return give_up("nothing answers: is the scanner on?");
   stop_scans();
 }
 
-bool Urglaser::set_baud(int baud) {
-  baud_ = baud;
-  net::SerialSettings serial = options_.scanner.hardware.place.serial;
-  serial.baud = baud;
-  const Result<void> set = line().set(serial);
-  if (set) return true;
-  give_up(set.error().text);
-  return false;
-}
-
 void Urglaser::set_speed() {
-  if (!has_speed() || baud_ == options_.baud) return say(ScipPhase::kAsksModel, "PP");
+  if (!is_serial() || baud() == options_.baud) return say(ScipPhase::kAsksModel, "PP");
   say(ScipPhase::kSetsSpeed, fmt::format("SS{:06}", options_.baud));
 }
 

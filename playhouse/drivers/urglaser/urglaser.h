@@ -60,8 +60,6 @@ class Urglaser final : public ScannerDriver {
   void end_scans();
   void start_scans();
   void expect_scan();
-  bool set_baud(int baud);
-  bool has_speed() const { return !options_.scanner.hardware.place.path.empty(); }
 
   void take(const scip::ScipReply& reply);
   void take_stopped(const scip::ScipReply& reply);
@@ -82,7 +80,7 @@ class Urglaser final : public ScannerDriver {
   ScipPhase phase_ = ScipPhase::kClosed;
   std::vector<int> speeds_;
   std::size_t speed_ = 0;
-  int baud_ = 0, tries_ = 0;
+  int tries_ = 0;
   std::string line_;  // of this step
   std::unique_ptr<net::Timer> patience_;
 };
