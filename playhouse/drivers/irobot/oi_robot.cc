@@ -63,8 +63,7 @@ void read_oi_options(SectionFields& fields, OiRobotOptions& options) {
 }
 
 OiRobot::OiRobot(std::string name, Site& site, const OiRobotOptions& options)
-    : HardwareDriver(std::move(name), site, options.hardware), options_(options) {
-  register_wheels();
+    : WheeledDriver(std::move(name), site, options.hardware, kWheels), options_(options) {
   register_others();
 }
 
@@ -94,6 +93,8 @@ void OiRobot::start_up(std::vector<irobot::Opcode> commands) {
   if (commands.empty()) {
     cycle_ = after(kFirstSeconds, [this] {
       runs_ = true;
+      wanted_.allow();
+      started();
       ask();
     });
   } else {
@@ -105,6 +106,8 @@ void OiRobot::ask() {
   answer_.clear();
   settle_.reset();
   line().drop_input();
+  wanted_.allow();
+  send_wanted();
   send(irobot::encode_command(irobot::kSensors, {irobot::kEarlyGroup}));
   if (cycles_ > 0) ++cycles_;
   cycle_ = after(kOiCycle, [this] { ask(); });
@@ -139,6 +142,7 @@ void OiRobot::ending() {
 void OiRobot::forgot() {
   runs_ = is_bumped_ = has_tripped_ = brushes_on_ = false;
   cycles_ = 0;
+  wanted_.clear();
   answer_.clear();
   cycle_.reset();
   settle_.reset();
@@ -227,30 +231,6 @@ void OiRobot::publish_gripper(const OiSensors& sensors) {
 
 // --- what clients ask
 
-void OiRobot::register_wheels() {
-  on_command<p2d::CmdVel>(kWheels, p2d::kCmdVel, [this](const p2d::CmdVel& wanted) {
-    feed_watchdog();
-    drive(wanted.vel.px, wanted.vel.pa);
-  });
-  on_question(kWheels, p2d::kReqGetGeom, []() -> AnswerBody {
-    return wire::encode(p2d::Geom{{}, {kBodyDiameter, kBodyDiameter, 0}});
-  });
-  on_request<p2d::PowerConfig>(kWheels, p2d::kReqMotorPower, [this](const p2d::PowerConfig& asked) {
-    motors_on_ = asked.state != 0;
-    if (!motors_on_) stop_wheels();
-    return done();
-  });
-  on_request<p2d::SetOdomReq>(kWheels, p2d::kReqSetOdom, [this](const p2d::SetOdomReq& asked) -> AnswerBody {
-    if (!is_usable(asked.pose)) return std::nullopt;
-    odometry_.set(pose_of(asked.pose));
-    return done();
-  });
-  on_question(kWheels, p2d::kReqResetOdom, [this] {
-    odometry_.set({});
-    return done();
-  });
-}
-
 void OiRobot::register_others() {
   on_question(kBumper, wire::bumper::kReqGetGeom, []() -> AnswerBody {
     constexpr double kRadius = kBodyDiameter / 2, kMiddle = std::numbers::pi / 4;
@@ -269,16 +249,30 @@ void OiRobot::register_others() {
   });
 }
 
-void OiRobot::drive(double speed, double turn_rate) {
-  if (!runs_ || !std::isfinite(speed) || !std::isfinite(turn_rate)) return;
-  if (is_bumped_) {
-    speed = std::min(speed, 0.0);
-    turn_rate = 0;
-  }
-  if (!motors_on_) speed = turn_rate = 0;
-  const irobot::OiDrive wanted = irobot::drive_of(speed, turn_rate, irobot::half_axle(options_.generation));
-  send(irobot::encode_command(irobot::kDrive, {wanted.velocity >> 8 & 0xFF, wanted.velocity & 0xFF,
-                                               wanted.radius >> 8 & 0xFF, wanted.radius & 0xFF}));
+p2d::Geom OiRobot::geometry() const {
+  return {{}, {kBodyDiameter, kBodyDiameter, 0}};
+}
+
+void OiRobot::drive(const geom::Twist& wanted) {
+  wanted_.want(wanted);
+  send_wanted();
+}
+
+/// At once.
+void OiRobot::stop_wheels() {
+  if (!runs_) return;
+  wanted_.allow();
+  drive({});
+}
+
+void OiRobot::send_wanted() {
+  std::optional<geom::Twist> wanted = wanted_.take();
+  if (!wanted) return;
+  if (is_bumped_) wanted = geom::Twist{.x = std::min(wanted->x, 0.0)};
+  const irobot::OiDrive drive =
+      irobot::drive_of(wanted->x, wanted->a, irobot::half_axle(options_.generation));
+  send(irobot::encode_command(irobot::kDrive, {drive.velocity >> 8 & 0xFF, drive.velocity & 0xFF,
+                                               drive.radius >> 8 & 0xFF, drive.radius & 0xFF}));
 }
 
 void OiRobot::set_brushes(bool on) {

@@ -13,8 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "playhouse/drivers/hardware/hardware_driver.h"
+#include "playhouse/drivers/hardware/paced_command.h"
 #include "playhouse/drivers/hardware/wheel_odometry.h"
+#include "playhouse/drivers/hardware/wheeled_driver.h"
 #include "playhouse/drivers/irobot/oi_packets.h"
 
 namespace playhouse::drivers {
@@ -48,19 +49,23 @@ inline constexpr DeviceText kOiProvides[] = {
     {"gripper", {}, HowMany::kSomeOfThese, "brushes and vacuum, which run when it is opened"},
 };
 
-class OiRobot final : public HardwareDriver {
+class OiRobot final : public WheeledDriver {
  public:
   enum OiDevice : std::size_t { kWheels, kPower, kBumper, kIr, kOpaque, kGripper };
 
   OiRobot(std::string name, Site& site, const OiRobotOptions& options);
 
  private:
+  bool starts_up() const override { return true; }
   void began() override;
   void received(std::span<const std::byte> bytes) override;
   void closed(std::size_t device) override;
   void ending() override;
   void forgot() override;
-  void stop_wheels() override { drive(0, 0); }
+  void stop_wheels() override;
+  void drive(const geom::Twist& wanted) override;
+  wire::position2d::Geom geometry() const override;
+  void set_pose(const geom::Pose& X_OR) override { odometry_.set(X_OR); }
 
   void start_up(std::vector<irobot::Opcode> commands);
   std::vector<irobot::Opcode> commands_of_mode() const;
@@ -78,19 +83,19 @@ class OiRobot final : public HardwareDriver {
   void publish_gripper(const irobot::OiSensors& sensors);
 
   // What clients ask.
-  void register_wheels();
   void register_others();
-  void drive(double speed, double turn_rate);
+  void send_wanted();
   void set_brushes(bool on);
   void carry_out(std::span<const std::byte> opaque);
 
   const OiRobotOptions options_;
   RawBytes answer_;
   bool runs_ = false;  // the mode is set
-  bool motors_on_ = true, brushes_on_ = false;
+  bool brushes_on_ = false;
   bool is_bumped_ = false;  // and locked
   bool has_tripped_ = false;
-  int cycles_ = 0;  // since the last answer that was taken; 0: none yet
+  int cycles_ = 0;                    // since the last answer that was taken; 0: none yet
+  PacedCommand<geom::Twist> wanted_;  // one with each question
   WheelOdometry odometry_;
   std::unique_ptr<net::Timer> cycle_, settle_, patience_;
 };

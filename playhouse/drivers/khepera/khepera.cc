@@ -55,29 +55,7 @@ KheperaOptions khepera_options(SectionFields& fields) {
 }  // namespace
 
 Khepera::Khepera(std::string name, Site& site, const KheperaOptions& options)
-    : HardwareDriver(std::move(name), site, options.hardware), options_(options) {
-  on_command<p2d::CmdVel>(kWheels, p2d::kCmdVel, [this](const p2d::CmdVel& wanted) {
-    feed_watchdog();
-    drive(wanted.vel.px, wanted.vel.pa);
-  });
-  on_question(kWheels, p2d::kReqGetGeom, [this]() -> AnswerBody {
-    const double size = kKheperaBody * options_.scale;
-    return wire::encode(p2d::Geom{{}, {size, size, 0}});
-  });
-  on_request<p2d::PowerConfig>(kWheels, p2d::kReqMotorPower, [this](const p2d::PowerConfig& asked) {
-    motors_on_ = asked.state != 0;
-    if (!motors_on_) stop_wheels();
-    return done();
-  });
-  on_request<p2d::SetOdomReq>(kWheels, p2d::kReqSetOdom, [this](const p2d::SetOdomReq& asked) -> AnswerBody {
-    if (!is_usable(asked.pose)) return std::nullopt;
-    odometry_.set(pose_of(asked.pose));
-    return done();
-  });
-  on_question(kWheels, p2d::kReqResetOdom, [this] {
-    odometry_.set({});
-    return done();
-  });
+    : WheeledDriver(std::move(name), site, options.hardware, kWheels), options_(options) {
   on_question(kIr, wire::ir::kReqPose, [this]() -> AnswerBody {
     wire::ir::Pose poses;
     for (const khepera::KheperaSensor& sensor : khepera::sensors())
@@ -137,7 +115,10 @@ void Khepera::received(std::span<const std::byte> bytes) {
 /// An answer that came too late is none to the command that is out.
 void Khepera::take(const khepera::KheperaLine& line) {
   if (out_ == 0 || (line.letter != out_ + ('a' - 'A') && line.letter != 'z')) return;
-  if (std::exchange(runs_, true) == false) wanted_ = WheelUnits{};
+  if (std::exchange(runs_, true) == false) {
+    wanted_ = WheelUnits{};
+    started();
+  }
   lost_ = 0;
   out_ = 0;
   patience_.reset();
@@ -211,12 +192,16 @@ double Khepera::range_of(double light) const {
 
 // --- what clients command
 
+p2d::Geom Khepera::geometry() const {
+  const double size = kKheperaBody * options_.scale;
+  return {{}, {size, size, 0}};
+}
+
 /// Too fast for a wheel: both are slower, on the same curve.
-void Khepera::drive(double speed, double turn_rate) {
-  if (!runs_ || !std::isfinite(speed) || !std::isfinite(turn_rate)) return;
-  if (!motors_on_) speed = turn_rate = 0;
+void Khepera::drive(const geom::Twist& wanted) {
+  if (!runs_) return;
   const double unit = khepera::kPulsesPerSecond * options_.pulse;  // m/s
-  const double middle = speed / options_.scale / unit, wheel = turn_rate * options_.axle / 2 / unit;
+  const double middle = wanted.x / options_.scale / unit, wheel = wanted.a * options_.axle / 2 / unit;
   const double fastest = std::fabs(middle) + std::fabs(wheel);
   const double scale = fastest > khepera::kMostSpeedUnits ? khepera::kMostSpeedUnits / fastest : 1;
   wanted_ = WheelUnits{static_cast<int>(std::lround(scale * (middle - wheel))),

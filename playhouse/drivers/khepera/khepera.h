@@ -12,8 +12,8 @@
 #include <string>
 
 #include "playhouse/drivers/definition.h"
-#include "playhouse/drivers/hardware/hardware_driver.h"
 #include "playhouse/drivers/hardware/wheel_odometry.h"
+#include "playhouse/drivers/hardware/wheeled_driver.h"
 #include "playhouse/drivers/khepera/khepera_lines.h"
 
 namespace playhouse::drivers {
@@ -28,7 +28,7 @@ struct KheperaOptions {
   double calib_a = 0, calib_b = 0;  // range in mm: a * light ^ b; 0: the curve of white paper
 };
 
-class Khepera final : public HardwareDriver {
+class Khepera final : public WheeledDriver {
  public:
   enum KheperaDevice : std::size_t { kWheels, kIr };
 
@@ -42,12 +42,15 @@ class Khepera final : public HardwareDriver {
     std::int64_t left = 0, right = 0;
   };
 
+  bool starts_up() const override { return true; }
   void began() override;
   void received(std::span<const std::byte> bytes) override;
   void closed(std::size_t device) override;
   void ending() override;
   void forgot() override;
-  void stop_wheels() override { drive(0, 0); }
+  void drive(const geom::Twist& wanted) override;
+  wire::position2d::Geom geometry() const override;
+  void set_pose(const geom::Pose& X_OR) override { odometry_.set(X_OR); }
 
   void greet();
   void ask_next();
@@ -57,7 +60,6 @@ class Khepera final : public HardwareDriver {
   void take_counts(const khepera::KheperaLine& line);
   void take_speeds(const khepera::KheperaLine& line);
   void take_light(const khepera::KheperaLine& line);
-  void drive(double speed, double turn_rate);
   double range_of(double light) const;
 
   const KheperaOptions options_;
@@ -67,7 +69,6 @@ class Khepera final : public HardwareDriver {
   int lost_ = 0;          // answers, since the last one
   std::size_t turn_ = 0;  // of what is asked in turn
   std::optional<WheelUnits> wanted_;
-  bool motors_on_ = true;
   std::optional<WheelCounts> counts_;
   WheelOdometry odometry_;
   geom::Twist speed_;

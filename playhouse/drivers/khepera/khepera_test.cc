@@ -100,6 +100,8 @@ TEST_F(KheperaScript, speeds_are_in_units_of_8_mm_a_second) {
   EXPECT_EQ(wheels_of(0.06, 1), "D,4,11\n");
   EXPECT_EQ(wheels_of(-0.04, 0), "D,-5,-5\n");
   EXPECT_EQ(wheels_of(5, 0), "D,127,127\n");
+  EXPECT_EQ(wheels_of(1e300, 0), "D,127,127\n");
+  EXPECT_EQ(wheels_of(0, -1e300), "D,127,-127\n");
   EXPECT_EQ(wheels_of(NAN, 0), "");
 }
 
@@ -224,6 +226,20 @@ TEST_F(KheperaPair, sensors_are_those_of_the_device) {
   EXPECT_NEAR(data.ranges[1], 0.05, 0.001);
   EXPECT_NEAR(data.ranges[3], 0.1, 0.001) << "it sees no further";
   EXPECT_EQ(data.voltages[2], 1000);
+}
+
+TEST_F(KheperaPair, a_command_from_before_the_robot_answers_is_carried_out) {
+  ASSERT_EQ(build(R"(driver( name "khepera_emulator" port "/dev/robot" requires ["position2d:0"] ))"
+                  "\n" +
+                  std::string(kKheperaSection)),
+            "");
+  client = std::make_unique<server::TestClient>(network_, kPort);
+  client->ask(server::mode_request(1));
+  client->send(server::open_request(p2d::kCode, 1));
+  client->send(drive_command(0.08, 0));
+  network_.run_for(0.5);
+  ASSERT_FALSE(wheels.commands.empty());
+  EXPECT_NEAR(wanted().vel.px, 0.08, 1e-9);
 }
 
 TEST_F(KheperaPair, wheels_stop_when_the_last_client_has_gone_and_when_its_commander_is_silent) {

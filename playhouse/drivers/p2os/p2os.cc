@@ -28,8 +28,8 @@ constexpr int kTriesOfBaud = 3;
 constexpr double kAnswerSeconds = 0.6;  // a robot that has heard answers at once
 constexpr double kSilentSeconds = 3;    // without a packet of ten a second
 constexpr int kCounts = 4096;           // of the counters of x and y
-constexpr double kLongestStep =
-    100;  // beyond what its wheels    // mm from one packet to the next; more is a fault of the line
+// mm from one packet to the next, beyond what its wheels did; more is a fault of the line.
+constexpr double kLongestStep = 100;
 constexpr int kMostWheelUnits = 126;
 constexpr double kFullBattery = 12;   // V
 constexpr double kAxleOffset = -0.1;  // m, of the middle of the base behind the axle
@@ -92,10 +92,12 @@ P2osOptions p2os_options(SectionFields& fields) {
 }  // namespace
 
 P2os::P2os(std::string name, Site& site, const P2osOptions& options)
-    : HardwareDriver(std::move(name), site, options.hardware),
+    : WheeledDriver(std::move(name), site, options.hardware, kWheels),
       options_(options),
       model_(p2os::find_robot_model("p3dx-sh")) {
-  register_wheels();
+  on_request<p2d::VelocityModeConfig>(
+      kWheels, p2d::kReqVelocityMode,
+      [this](const p2d::VelocityModeConfig& asked) { return set_velocity_mode(asked.value); });
   register_sensors();
   register_gripper();
 }
@@ -104,8 +106,7 @@ P2os::P2os(std::string name, Site& site, const P2osOptions& options)
 
 void P2os::began() {
   tries_ = 0;
-  if (baud_ != 0) static_cast<void>(line().set({.baud = kBauds[baud_]}));  // as it answered the last time
-  ask_for_sync();
+  if (set_baud(kBauds[baud_])) ask_for_sync();  // that at which it answered the last time
 }
 
 void P2os::ask_for_sync() {
@@ -124,7 +125,7 @@ void P2os::wait_for_answer() {
 void P2os::ask_again() {
   if (++tries_ % kTriesOfBaud == 0) {
     baud_ = (baud_ + 1) % std::size(kBauds);
-    if (const Result<void> set = line().set({.baud = kBauds[baud_]}); !set) return give_up(set.error().text);
+    if (!set_baud(kBauds[baud_])) return;
   }
   if (tries_ == kTriesOfBaud * static_cast<int>(std::size(kBauds)))
     return give_up("nothing answers: is the robot on?");
@@ -179,7 +180,7 @@ void P2os::run(const p2os::RobotNames& names) {
   send(p2os::encode_command(p2os::kOpen));
   send_options();
   pulse();
-  may_command_ = true;
+  wanted_.allow();
   started();
   patience_ = after(kSilentSeconds, [this] { give_up("the robot is silent"); });
 }
@@ -241,7 +242,7 @@ void P2os::forgot() {
   // A robot that comes back counts from where it is.
   X_CO_ = has_clients() ? geom::compose(X_CO_, X_OR_) : geom::Pose{};
   X_OR_ = {};
-  wanted_.reset();
+  wanted_.clear();
   patience_.reset();
   pulse_.reset();
   reader_.clear();
@@ -254,7 +255,7 @@ void P2os::take_sip(const p2os::Sip& sip) {
   add_to_odometry(sip);
   last_ = sip;
   heard_ = now();
-  may_command_ = true;
+  wanted_.allow();
   send_wanted();
   publish_pose(sip);
   publish_compass(sip);
@@ -342,27 +343,13 @@ void P2os::publish_inputs(const p2os::Sip& sip) {
 
 // --- what clients ask
 
-void P2os::register_wheels() {
-  on_command<p2d::CmdVel>(kWheels, p2d::kCmdVel, [this](const p2d::CmdVel& wanted) {
-    if (!std::isfinite(wanted.vel.px) || !std::isfinite(wanted.vel.pa)) return;
-    feed_watchdog();
-    drive({wanted.vel.px, 0, 0, wanted.vel.pa});
-  });
-  on_question(kWheels, p2d::kReqGetGeom, [this]() -> AnswerBody {
-    return wire::encode(p2d::Geom{{kAxleOffset, 0, 0, 0, 0, 0}, {model_->width, model_->length, 0}});
-  });
-  on_request<p2d::PowerConfig>(kWheels, p2d::kReqMotorPower, [this](const p2d::PowerConfig& asked) {
-    return set_motors(asked.state != 0);
-  });
-  on_request<p2d::VelocityModeConfig>(kWheels, p2d::kReqVelocityMode,
-                                      [this](const p2d::VelocityModeConfig& asked) -> AnswerBody {
-                                        separate_speeds_ = asked.value == 1;
-                                        return asked.value <= 1 ? done() : std::nullopt;
-                                      });
-  on_request<p2d::SetOdomReq>(kWheels, p2d::kReqSetOdom, [this](const p2d::SetOdomReq& asked) -> AnswerBody {
-    return is_usable(asked.pose) ? set_pose(pose_of(asked.pose)) : std::nullopt;
-  });
-  on_question(kWheels, p2d::kReqResetOdom, [this] { return set_pose({}); });
+p2d::Geom P2os::geometry() const {
+  return {{kAxleOffset, 0, 0, 0, 0, 0}, {model_->width, model_->length, 0}};
+}
+
+AnswerBody P2os::set_velocity_mode(std::uint32_t mode) {
+  separate_speeds_ = mode == 1;
+  return mode <= 1 ? done() : std::nullopt;
 }
 
 void P2os::register_sensors() {
@@ -408,23 +395,19 @@ void P2os::register_gripper() {
 }
 
 void P2os::drive(const geom::Twist& wanted) {
-  wanted_ = wanted;
+  wanted_.want(wanted);
   send_wanted();
 }
 
 void P2os::send_wanted() {
-  if (!may_command_ || !wanted_) return;
-  may_command_ = false;
-  constexpr double kMost = 1000;  // m/s and rad/s, so that nothing overflows on the way to the limits
-  const double speed = std::clamp(wanted_->x, -kMost, kMost),
-               turn_rate = std::clamp(wanted_->a, -kMost, kMost);
-  wanted_.reset();
-  if (!separate_speeds_) return turn_wheels(1000 * speed, turn_rate / model_->wheel_factor);
+  const std::optional<geom::Twist> wanted = wanted_.take();
+  if (!wanted) return;
+  if (!separate_speeds_) return turn_wheels(1000 * wanted->x, wanted->a / model_->wheel_factor);
   const double fastest = 1000 * options_.max_speed;
-  send(p2os::encode_command(p2os::kVelocity, whole(std::clamp(1000 * speed, -fastest, fastest))));
+  send(p2os::encode_command(p2os::kVelocity, whole(std::clamp(1000 * wanted->x, -fastest, fastest))));
   send(p2os::encode_command(
       p2os::kTurnRate,
-      whole(std::clamp(turn_rate, -options_.max_turn_rate, options_.max_turn_rate) / kDegree)));
+      whole(std::clamp(wanted->a, -options_.max_turn_rate, options_.max_turn_rate) / kDegree)));
 }
 
 /// mm/s: of the robot, and of the right wheel against it. Too fast for a wheel: both are slower, on the same curve.
@@ -440,7 +423,7 @@ void P2os::turn_wheels(double speed, double difference) {
 /// At once.
 void P2os::stop_wheels() {
   if (stage_ != Stage::kRuns) return;
-  may_command_ = true;
+  wanted_.allow();
   drive({});
 }
 
@@ -456,10 +439,8 @@ AnswerBody P2os::set_sonars(bool on) {
   return done();
 }
 
-/// Where the robot is now has this pose from now on.
-AnswerBody P2os::set_pose(const geom::Pose& pose) {
-  X_CO_ = geom::compose(pose, geom::inverse(X_OR_));
-  return done();
+void P2os::set_pose(const geom::Pose& X_CR) {
+  X_CO_ = geom::compose(X_CR, geom::inverse(X_OR_));
 }
 
 void P2os::grip(p2os::GripperAction action) {

@@ -17,7 +17,8 @@
 #include <vector>
 
 #include "playhouse/drivers/definition.h"
-#include "playhouse/drivers/hardware/hardware_driver.h"
+#include "playhouse/drivers/hardware/paced_command.h"
+#include "playhouse/drivers/hardware/wheeled_driver.h"
 #include "playhouse/drivers/p2os/p2os_frames.h"
 #include "playhouse/drivers/p2os/p2os_robots.h"
 #include "playhouse/geom/pose.h"
@@ -37,7 +38,7 @@ struct P2osOptions {
   bool takes_joystick = false;
 };
 
-class P2os final : public HardwareDriver {
+class P2os final : public WheeledDriver {
  public:
   enum P2osDevice : std::size_t { kWheels, kCompass, kPower, kSonar, kBumper, kGripper, kDio, kAio };
 
@@ -77,15 +78,16 @@ class P2os final : public HardwareDriver {
   void publish_inputs(const p2os::Sip& sip);
 
   // What clients ask.
-  void register_wheels();
   void register_sensors();
   void register_gripper();
-  void drive(const geom::Twist& wanted);
+  void drive(const geom::Twist& wanted) override;
   void send_wanted();
   void turn_wheels(double speed, double difference);
-  AnswerBody set_motors(bool on);
+  AnswerBody set_motors(bool on) override;
+  wire::position2d::Geom geometry() const override;
+  AnswerBody set_velocity_mode(std::uint32_t mode);
   AnswerBody set_sonars(bool on);
-  AnswerBody set_pose(const geom::Pose& pose);
+  void set_pose(const geom::Pose& X_CR) override;
   void grip(p2os::GripperAction action);
 
   const P2osOptions options_;
@@ -95,10 +97,8 @@ class P2os final : public HardwareDriver {
   std::size_t baud_ = 0;  // number of the speed of the line
   int tries_ = 0;         // of SYNC0 at this speed
   bool separate_speeds_ = false;
-  bool has_closed_ = false;  // the robot that was still open
-  // The wheels get a command a packet, the latest, as a line has no time for more.
-  std::optional<geom::Twist> wanted_;
-  bool may_command_ = false;
+  bool has_closed_ = false;           // the robot that was still open
+  PacedCommand<geom::Twist> wanted_;  // one a packet
   std::unique_ptr<net::Timer> patience_, pulse_;
 
   std::optional<p2os::Sip> last_;

@@ -57,7 +57,9 @@ class RoombaScript : public HardwareTest {
     robot.send(from_hex(hex));
     return latest<p2d::Data>(*client, p2d::kCode, p2d::kDataState, 0.04);
   }
+  /// Of the command for the wheels; a command goes with a question.
   std::string wheels_of(double speed, double turn_rate) {
+    wait_for_question();
     client->ask(drive_command(speed, turn_rate));
     const std::string sent = to_hex(robot.take(0.03));
     const std::size_t at = sent.find("89");
@@ -169,6 +171,20 @@ TEST_F(RoombaScript, with_bumplock_it_stops_and_goes_back_alone) {
   answer(kStill);
   EXPECT_EQ(wheels_of(0.2, 0), "89 00 c8 80 00");
   EXPECT_EQ(wheels_of(NAN, 0), "");
+}
+
+TEST_F(RoombaScript, beyond_all_limits_it_is_as_fast_as_it_can) {
+  begin();
+  EXPECT_EQ(wheels_of(1e300, 0), "89 01 f4 80 00");
+  EXPECT_EQ(wheels_of(-1e300, 0), "89 fe 0c 80 00");
+  EXPECT_EQ(wheels_of(0, 1e300), "89 01 f4 00 01");
+}
+
+TEST_F(RoombaScript, of_many_commands_between_two_questions_the_last_one_is_sent_with_the_next) {
+  begin();
+  EXPECT_EQ(wheels_of(0.1, 0), "89 00 64 80 00") << "there was none since the question";
+  for (const double speed : {0.2, 0.3, 0.4}) client->ask(drive_command(speed, 0));
+  EXPECT_EQ(to_hex(robot.take(0.1)), "89 01 90 80 00 8e 00");
 }
 
 TEST_F(RoombaScript, a_silent_robot_retires_with_its_devices) {
@@ -336,6 +352,20 @@ TEST_F(RoombaPair, wheels_stop_when_the_last_client_has_gone_and_when_its_comman
   EXPECT_EQ(wanted().vel.px, 0);
 }
 
+TEST_F(RoombaPair, a_command_from_before_the_robot_answers_is_carried_out) {
+  ASSERT_EQ(build(R"(driver( name "roomba_emulator" port "/dev/robot" requires ["position2d:0"] ))"
+                  "\n" +
+                  std::string(kCleaner)),
+            "");
+  client = std::make_unique<server::TestClient>(network_, kPort);
+  client->ask(server::mode_request(1));
+  client->send(server::open_request(p2d::kCode, 1));
+  client->send(drive_command(0.2, 0));
+  network_.run_for(0.5);
+  ASSERT_FALSE(wheels.commands.empty());
+  EXPECT_NEAR(wanted().vel.px, 0.2, 1e-9);
+}
+
 TEST_F(RoombaPair, a_line_that_was_pulled_is_waited_for) {
   begin(" reconnect 1");
   network_.serial().unplug("/dev/robot");
@@ -443,6 +473,16 @@ TEST_F(RoombaHost, the_create_answers_lists_and_streams_and_drives_wheels) {
   EXPECT_NE(streamed.find("13 04", 5), std::string::npos) << "every 15 ms";
   ask("96 00", 0.05);
   EXPECT_EQ(ask("98 02 9b 05 9a"), "02 9b 05");
+}
+
+TEST_F(RoombaHost, half_a_command_is_forgotten_after_a_pause) {
+  begin("roomba", 57600);
+  ask("80 82 89 00", 1);
+  ask("89 00 c8 80 00");
+  EXPECT_NEAR(wanted().vel.px, 0.2, 1e-9);
+  ask("89 01", 0.1);
+  ask("90 80 00");
+  EXPECT_NEAR(wanted().vel.px, 0.4, 1e-9) << "a pause of a tenth is none";
 }
 
 TEST_F(RoombaHost, a_song_plays_as_long_as_it_is) {
