@@ -1,4 +1,4 @@
-# Of DRIVERS, DRIVERS_WITH_MAPS and PLAYHOUSE_DRIVERS: CHOSEN_DRIVERS, a source with the list of those that were chosen (registry.h), and
+# Of DRIVERS, DRIVERS_WITH_MAPS and PLAYHOUSE_DRIVERS: CHOSEN_DRIVERS, a source with the list of those that were chosen, and
 # LEFT_OUT, the sources of the others, with their tests in TESTS_LEFT_OUT. vfh:Vfh is a folder; of a family, as scans/lasercutter:LaserCutter,
 # the files scans/lasercutter.cc and lasercutter_test.cc are the driver's, and the others of scans/ are for all of it.
 
@@ -47,14 +47,6 @@ foreach(FAMILY ${FAMILIES})
     list(APPEND LEFT_OUT ${SOURCES})
   endif()
 endforeach()
-list(SORT DEFINITIONS)
-set(DECLARED)
-set(LISTED)
-foreach(DEFINITION ${DEFINITIONS})
-  string(REGEX REPLACE ".*:" "" DEFINITION ${DEFINITION})
-  string(APPEND DECLARED "extern const DriverDefinition k${DEFINITION}Driver;\n")
-  string(APPEND LISTED "    &k${DEFINITION}Driver,\n")
-endforeach()
 foreach(NAME ${PLAYHOUSE_DRIVERS})
   if(NOT PLAYHOUSE_DRIVERS STREQUAL all AND NOT NAME IN_LIST KNOWN)
     list(JOIN KNOWN ", " NAMES)
@@ -74,17 +66,4 @@ set(TESTS_LEFT_OUT ${LEFT_OUT})
 list(FILTER TESTS_LEFT_OUT INCLUDE REGEX "_test[.]cc$")
 list(FILTER LEFT_OUT EXCLUDE REGEX "_(test|fuzz)[.]cc$")
 
-set(CHOSEN_DRIVERS ${CMAKE_CURRENT_BINARY_DIR}/chosen_drivers.cc)
-file(CONFIGURE OUTPUT ${CHOSEN_DRIVERS} @ONLY CONTENT [[#include "playhouse/drivers/registry.h"
-
-namespace playhouse::drivers {
-
-@DECLARED@
-std::span<const DriverDefinition* const> core_drivers() {
-  static constexpr const DriverDefinition* kChosen[] = {
-@LISTED@  };
-  return kChosen;
-}
-
-}  // namespace playhouse::drivers
-]])
+playhouse_driver_list(CHOSEN_DRIVERS core_drivers playhouse/drivers/registry.h ${DEFINITIONS})
