@@ -7,12 +7,13 @@ import re
 import shutil
 import signal
 import struct
+import subprocess
 import sys
 import tty
 import unittest
 from unittest import mock
 
-from house import ACK, CMD, NACK, PLAYER, POSITION2D, ROOT, Client, House, finish, ranges_of, wait_for_any
+from house import ACK, CMD, NACK, PLAYER, POSITION2D, ROOT, Client, House, finish, ranges_of, wait_for_any, wait_until
 from installed import InstalledTest, tool
 
 AIO, BLINKENLIGHT, OPAQUE, LASER = 21, 33, 51, 6
@@ -423,6 +424,31 @@ class Plugins(InstalledTest):
             self.assertEqual(os.read(terminal, 1), bytes([7]))
             os.write(terminal, bytes([42]))
             self.assertEqual(struct.unpack(">IIf", client.next_data(AIO, 0).body), (1, 1, 42))
+
+    def test_a_robot_of_ones_own_and_its_twin_are_driven_by_one_program(self):
+        files = {"firmware.py", "tinybot.cc", "CMakeLists.txt", "tinybot.cfg", "square.py", "twin.world"}
+        walk = self.build_walk("tutorial-robot.md", files)
+        clients = re.search(r"^PYTHONPATH=\$HOME/playhouse/(\S+) python3 square.py$", walk, re.MULTILINE).group(1)
+        environment = os.environ | {"PYTHONPATH": str(self.place / "prefix" / clients)}
+
+        def drive(house) -> str:
+            return tool(sys.executable, self.folder / "square.py", f"127.0.0.1:{house.port()}", env=environment).strip()
+
+        port = self.folder / "tinybot"
+        cfg = self.write("tinybot.cfg", (self.folder / "tinybot.cfg").read_text().replace("/tmp/tinybot", str(port)))
+        firmware = subprocess.Popen([sys.executable, self.folder / "firmware.py", port])
+        self.addCleanup(firmware.wait)
+        self.addCleanup(firmware.kill)
+        wait_until(port.is_symlink, "its port")
+        with House("serve", cfg, "--port", 0, "--headless") as house:
+            said = drive(house)
+            self.assertIn(f"It prints `{said}`.", walk)
+            with Client(house.port()) as client:
+                client.open(POSITION2D, 0)
+                firmware.kill()
+                house.wait_for_line("the line is lost")
+        with House("run", self.folder / "twin.world", "--port", 0, "--headless") as house:
+            self.assertEqual(drive(house), said)
 
 
 if __name__ == "__main__":
